@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The scene as kernels see it: raw pointers to memory that Model and Scene own.
+#pragma once
+
+#include <cstdint>
+
+#include "libsmart/accel/kd_node.h"
+
+namespace smart {
+
+/// Neighbours hold their shared vertices bit for bit.
+struct Triangle {
+    float v0[3], v1[3], v2[3];
+};
+
+/// Record of the fast mode, after Wald's thesis (2004), chapter 7: the plane projected along
+/// its dominant axis k, and the two edge equations there. A degenerate triangle has axis 3.
+struct TriangleRecord {
+    float nu, nv, nd; ///< plane: dir[k] = 1, nu = n[ku]/n[k], nv = n[kv]/n[k], nd = v0.n/n[k]
+    uint32_t axis;
+    float bu, bv, bd; ///< u = bu * h[ku] + bv * h[kv] + bd: weight of the second vertex
+    float cu, cv, cd; ///< v likewise: weight of the third
+};
+
+struct KdView {
+    const KdNode* nodes; ///< nullptr: nothing in it
+    const uint32_t* prims;
+    float lo[3], hi[3];
+    float maxAbs; ///< largest absolute coordinate of the box; scale of the padding
+};
+
+struct ModelView;
+
+/// A child in its parent's space. The inverse is kept in double, so that the ray in object space
+/// carries one rounding only.
+struct InstanceView {
+    double toObject[3][4]; ///< rows; the fourth column is the translation
+    const ModelView* model;
+    uint32_t identity; ///< not 0: toObject is the identity and needs no arithmetic
+};
+
+/// A model: its own triangles, and child instances with a tree over them. The scene itself is a
+/// ModelView without triangles.
+struct ModelView {
+    const Triangle* triangles;
+    const TriangleRecord* records; ///< nullptr unless a frame in fast mode asked for them
+    KdView tree;
+    const InstanceView* children;
+    KdView childTree;
+    uint32_t childCount; ///< one child needs no tree: childTree.nodes is nullptr then
+};
+
+} // namespace smart
