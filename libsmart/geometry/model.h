@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "libsmart/accel/kd_tree.h"
+#include "libsmart/geometry/instance_group.h"
+#include "libsmart/kernel/view.h"
+
+namespace smart {
+
+/// What shading reads after a hit; only what the object used is stored. Traversal never looks here.
+struct ShadingData {
+    static constexpr uint32_t kNone = 0xFFFFFFFFu;
+
+    /// Vertex numbers of each triangle; empty when no per-vertex attribute is stored.
+    std::vector<std::array<uint32_t, 3>> corners;
+    /// Attributes of vertices first..; vertices before the first take the instance's.
+    uint32_t firstNormal = kNone, firstTexCoord = kNone, firstColor = kNone;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> texCoords;
+    std::vector<glm::vec4> colors;
+    /// Shader slot of each triangle (empty: all 0), and the shader index of each slot in order of
+    /// first use.
+    std::vector<uint32_t> slots;
+    std::vector<uint32_t> shaders;
+    /// Byte offset of each triangle's parameter block in triangleData; kNone without one. Empty
+    /// when no shader of the model has such parameters. Blocks are 16-byte aligned, shared by
+    /// runs of triangles that did not change them.
+    std::vector<uint32_t> triangleBlocks;
+    std::vector<std::byte> triangleData;
+    /// The same for vertices; blocks consist of floats.
+    std::vector<uint32_t> vertexBlocks;
+    std::vector<std::byte> vertexData;
+    /// Keeps shaders (and through them plug-ins) alive as long as the model.
+    std::vector<std::shared_ptr<const void>> keepAlive;
+
+    std::size_t bytes() const;
+};
+
+/// A compiled object: immutable, shared by scenes, frames and threads without locks.
+/// Made by ModelBuilder.
+struct Model {
+    std::vector<Triangle> triangles; ///< in the order given; dropped ones keep their number
+    KdTree tree;
+    ShadingData shading;
+    InstanceGroup children;
+    uint32_t droppedTriangles = 0; ///< not finite or degenerate; not in the tree
+    uint32_t levels = 1;           ///< 1 without children, else 1 + the deepest child's
+    uint64_t treeEvents = 0;       ///< events the builder swept
+    double buildSeconds = 0;
+    Aabb bounds; ///< of triangles and children
+
+    Model() = default;
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
+
+    const ModelView& view() const { return view_; }
+    std::size_t bytes() const;
+
+    /// Makes the fast mode's records, here and in the models nested below, unless they exist.
+    /// Thread-safe; traversal of this model in another mode may be under way.
+    void prepareFastRecords() const;
+
+private:
+    friend class ModelBuilder;
+    void makeView();
+
+    mutable ModelView view_{};
+    mutable std::once_flag recordsOnce_;
+    mutable std::vector<TriangleRecord> records_;
+};
+
+using ModelPtr = std::shared_ptr<const Model>;
+
+} // namespace smart
