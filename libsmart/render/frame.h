@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "libsmart/render/framebuffer.h"
+#include "libsmart/scene/scene.h"
+#include "libsmart/shading/shader_registry.h"
+#include "libsmart/shading/texture.h"
+
+namespace smart {
+
+/// Rectangle of the picture that the camera fills; elsewhere is the clear colour.
+struct Viewport {
+    int32_t x = 0, y = 0;
+    uint32_t width = 0, height = 0;
+};
+
+/// The camera of OpenGL: the eye at the origin of eye space, rays from the near to the far plane.
+/// window depth and rays follow the inverse of the projection matrix.
+struct MatrixCamera {
+    glm::dmat4 projection{1.0};
+    glm::dmat4 inverse{1.0}; ///< of projection; a singular projection is refused earlier
+};
+
+/// Everything one picture needs; nothing in it changes while a worker holds it.
+struct Frame {
+    uint64_t id = 0;
+    ScenePtr scene;
+    std::shared_ptr<const ShaderTable> shaders;   ///< by shader index
+    std::shared_ptr<const TextureTable> textures; ///< by texture id
+    std::vector<std::shared_ptr<const ShaderObject>> lights;
+    std::shared_ptr<const ShaderObject> environment;     ///< nullptr: the clear colour
+    std::shared_ptr<const ShaderObject> camera;          ///< nullptr: matrixCamera
+    std::shared_ptr<const ShaderObject> renderingObject; ///< nullptr: the default one
+    MatrixCamera matrixCamera;
+    glm::vec4 clearColor{0.0f};
+    Viewport viewport;
+    uint32_t samples = 1;
+    uint32_t seed = 0;
+    uint32_t recursionLimit = 8;
+    float weightCutoff = 1.0f / 512.0f;
+    PixelTarget target;
+    /// Keeps what the shaders of models and replacements need alive.
+    std::vector<std::shared_ptr<const void>> keepAlive;
+};
+
+} // namespace smart
