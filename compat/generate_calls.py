@@ -36,11 +36,13 @@ def chapters(rows):
     return groups.items()
 
 
-def wrap(head, parameters, tail):
+def wrap(head, parameters, tail, indent):
     """head(parameters)tail in lines of WIDTH, broken between parameters only."""
-    glue = lambda text: text.replace(" ", "~")
+    def glue(text):
+        return text.replace(" ", "~")
+
     text = f"{glue(head)}({', '.join(map(glue, parameters.split(', ')))}){glue(tail)}"
-    lines = textwrap.wrap(text, WIDTH, subsequent_indent=" " * (len(head) + 1),
+    lines = textwrap.wrap(text, WIDTH, subsequent_indent=" " * indent,
                           break_long_words=False, break_on_hyphens=False)
     return [line.replace("~", " ") for line in lines]
 
@@ -69,7 +71,7 @@ def refused_header(rows):
         out += ["", f"/* {chapter} */"]
         for row in members:
             head = f"RTAPI {result_type(row)}RTAPIENTRY {row['name']}"
-            out += wrap(head, row["parameters"], ";")
+            out += wrap(head, row["parameters"], ";", len(head) + 1)
     return "\n".join(out + ["", "#ifdef __cplusplus", "}", "#endif", "", "#endif", ""])
 
 
@@ -95,7 +97,7 @@ def refused_source(rows):
                 call += " return RT_FALSE;"
             elif row["result"] != "void":
                 call += " return 0;"
-            out += wrap(head, unnamed(row["parameters"]), f" {{ {call} }}")
+            out += wrap(head, unnamed(row["parameters"]), f" {{ {call} }}", 4)
     return "\n".join(out + [""])
 
 

@@ -34,7 +34,7 @@ RTAPI void RTAPIENTRY rtRectiv(const RTint *, const RTint *) { refused("rtRectiv
 RTAPI void RTAPIENTRY rtRectsv(const RTshort *, const RTshort *) { refused("rtRectsv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord1d(RTenum, RTdouble) { refused("rtMultiTexCoord1d"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord1dv(RTenum,
-                                         const RTdouble *) { refused("rtMultiTexCoord1dv"); }
+    const RTdouble *) { refused("rtMultiTexCoord1dv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord1f(RTenum, RTfloat) { refused("rtMultiTexCoord1f"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord1fv(RTenum, const RTfloat *) { refused("rtMultiTexCoord1fv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord1i(RTenum, RTint) { refused("rtMultiTexCoord1i"); }
@@ -42,9 +42,9 @@ RTAPI void RTAPIENTRY rtMultiTexCoord1iv(RTenum, const RTint *) { refused("rtMul
 RTAPI void RTAPIENTRY rtMultiTexCoord1s(RTenum, RTshort) { refused("rtMultiTexCoord1s"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord1sv(RTenum, const RTshort *) { refused("rtMultiTexCoord1sv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord2d(RTenum, RTdouble,
-                                        RTdouble) { refused("rtMultiTexCoord2d"); }
+    RTdouble) { refused("rtMultiTexCoord2d"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord2dv(RTenum,
-                                         const RTdouble *) { refused("rtMultiTexCoord2dv"); }
+    const RTdouble *) { refused("rtMultiTexCoord2dv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord2f(RTenum, RTfloat, RTfloat) { refused("rtMultiTexCoord2f"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord2fv(RTenum, const RTfloat *) { refused("rtMultiTexCoord2fv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord2i(RTenum, RTint, RTint) { refused("rtMultiTexCoord2i"); }
@@ -52,30 +52,30 @@ RTAPI void RTAPIENTRY rtMultiTexCoord2iv(RTenum, const RTint *) { refused("rtMul
 RTAPI void RTAPIENTRY rtMultiTexCoord2s(RTenum, RTshort, RTshort) { refused("rtMultiTexCoord2s"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord2sv(RTenum, const RTshort *) { refused("rtMultiTexCoord2sv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3d(RTenum, RTdouble, RTdouble,
-                                        RTdouble) { refused("rtMultiTexCoord3d"); }
+    RTdouble) { refused("rtMultiTexCoord3d"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3dv(RTenum,
-                                         const RTdouble *) { refused("rtMultiTexCoord3dv"); }
+    const RTdouble *) { refused("rtMultiTexCoord3dv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3f(RTenum, RTfloat, RTfloat,
-                                        RTfloat) { refused("rtMultiTexCoord3f"); }
+    RTfloat) { refused("rtMultiTexCoord3f"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3fv(RTenum, const RTfloat *) { refused("rtMultiTexCoord3fv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3i(RTenum, RTint, RTint,
-                                        RTint) { refused("rtMultiTexCoord3i"); }
+    RTint) { refused("rtMultiTexCoord3i"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3iv(RTenum, const RTint *) { refused("rtMultiTexCoord3iv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3s(RTenum, RTshort, RTshort,
-                                        RTshort) { refused("rtMultiTexCoord3s"); }
+    RTshort) { refused("rtMultiTexCoord3s"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord3sv(RTenum, const RTshort *) { refused("rtMultiTexCoord3sv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4d(RTenum, RTdouble, RTdouble, RTdouble,
-                                        RTdouble) { refused("rtMultiTexCoord4d"); }
+    RTdouble) { refused("rtMultiTexCoord4d"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4dv(RTenum,
-                                         const RTdouble *) { refused("rtMultiTexCoord4dv"); }
+    const RTdouble *) { refused("rtMultiTexCoord4dv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4f(RTenum, RTfloat, RTfloat, RTfloat,
-                                        RTfloat) { refused("rtMultiTexCoord4f"); }
+    RTfloat) { refused("rtMultiTexCoord4f"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4fv(RTenum, const RTfloat *) { refused("rtMultiTexCoord4fv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4i(RTenum, RTint, RTint, RTint,
-                                        RTint) { refused("rtMultiTexCoord4i"); }
+    RTint) { refused("rtMultiTexCoord4i"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4iv(RTenum, const RTint *) { refused("rtMultiTexCoord4iv"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4s(RTenum, RTshort, RTshort, RTshort,
-                                        RTshort) { refused("rtMultiTexCoord4s"); }
+    RTshort) { refused("rtMultiTexCoord4s"); }
 RTAPI void RTAPIENTRY rtMultiTexCoord4sv(RTenum, const RTshort *) { refused("rtMultiTexCoord4sv"); }
 RTAPI void RTAPIENTRY rtFogCoordf(RTfloat) { refused("rtFogCoordf"); }
 RTAPI void RTAPIENTRY rtFogCoordfv(const RTfloat *) { refused("rtFogCoordfv"); }
@@ -84,24 +84,24 @@ RTAPI void RTAPIENTRY rtFogCoorddv(const RTdouble *) { refused("rtFogCoorddv"); 
 RTAPI void RTAPIENTRY rtSecondaryColor3b(RTbyte, RTbyte, RTbyte) { refused("rtSecondaryColor3b"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3bv(const RTbyte *) { refused("rtSecondaryColor3bv"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3d(RTdouble, RTdouble,
-                                         RTdouble) { refused("rtSecondaryColor3d"); }
+    RTdouble) { refused("rtSecondaryColor3d"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3dv(const RTdouble *) { refused("rtSecondaryColor3dv"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3f(RTfloat, RTfloat,
-                                         RTfloat) { refused("rtSecondaryColor3f"); }
+    RTfloat) { refused("rtSecondaryColor3f"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3fv(const RTfloat *) { refused("rtSecondaryColor3fv"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3i(RTint, RTint, RTint) { refused("rtSecondaryColor3i"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3iv(const RTint *) { refused("rtSecondaryColor3iv"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3s(RTshort, RTshort,
-                                         RTshort) { refused("rtSecondaryColor3s"); }
+    RTshort) { refused("rtSecondaryColor3s"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3sv(const RTshort *) { refused("rtSecondaryColor3sv"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3ub(RTubyte, RTubyte,
-                                          RTubyte) { refused("rtSecondaryColor3ub"); }
+    RTubyte) { refused("rtSecondaryColor3ub"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3ubv(const RTubyte *) { refused("rtSecondaryColor3ubv"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3ui(RTuint, RTuint,
-                                          RTuint) { refused("rtSecondaryColor3ui"); }
+    RTuint) { refused("rtSecondaryColor3ui"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3uiv(const RTuint *) { refused("rtSecondaryColor3uiv"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3us(RTushort, RTushort,
-                                          RTushort) { refused("rtSecondaryColor3us"); }
+    RTushort) { refused("rtSecondaryColor3us"); }
 RTAPI void RTAPIENTRY rtSecondaryColor3usv(const RTushort *) { refused("rtSecondaryColor3usv"); }
 
 // Matrices
@@ -117,12 +117,12 @@ RTAPI void RTAPIENTRY rtRasterPos3f(RTfloat, RTfloat, RTfloat) { refused("rtRast
 RTAPI void RTAPIENTRY rtRasterPos3i(RTint, RTint, RTint) { refused("rtRasterPos3i"); }
 RTAPI void RTAPIENTRY rtRasterPos3s(RTshort, RTshort, RTshort) { refused("rtRasterPos3s"); }
 RTAPI void RTAPIENTRY rtRasterPos4d(RTdouble, RTdouble, RTdouble,
-                                    RTdouble) { refused("rtRasterPos4d"); }
+    RTdouble) { refused("rtRasterPos4d"); }
 RTAPI void RTAPIENTRY rtRasterPos4f(RTfloat, RTfloat, RTfloat,
-                                    RTfloat) { refused("rtRasterPos4f"); }
+    RTfloat) { refused("rtRasterPos4f"); }
 RTAPI void RTAPIENTRY rtRasterPos4i(RTint, RTint, RTint, RTint) { refused("rtRasterPos4i"); }
 RTAPI void RTAPIENTRY rtRasterPos4s(RTshort, RTshort, RTshort,
-                                    RTshort) { refused("rtRasterPos4s"); }
+    RTshort) { refused("rtRasterPos4s"); }
 RTAPI void RTAPIENTRY rtRasterPos2dv(const RTdouble *) { refused("rtRasterPos2dv"); }
 RTAPI void RTAPIENTRY rtRasterPos2fv(const RTfloat *) { refused("rtRasterPos2fv"); }
 RTAPI void RTAPIENTRY rtRasterPos2iv(const RTint *) { refused("rtRasterPos2iv"); }
@@ -156,32 +156,32 @@ RTAPI void RTAPIENTRY rtWindowPos3sv(const RTshort *) { refused("rtWindowPos3sv"
 RTAPI void RTAPIENTRY rtEnableClientState(RTenum) { refused("rtEnableClientState"); }
 RTAPI void RTAPIENTRY rtDisableClientState(RTenum) { refused("rtDisableClientState"); }
 RTAPI void RTAPIENTRY rtVertexPointer(RTint, RTenum, RTsizei,
-                                      const void *) { refused("rtVertexPointer"); }
+    const void *) { refused("rtVertexPointer"); }
 RTAPI void RTAPIENTRY rtNormalPointer(RTenum, RTsizei, const void *) { refused("rtNormalPointer"); }
 RTAPI void RTAPIENTRY rtColorPointer(RTint, RTenum, RTsizei,
-                                     const void *) { refused("rtColorPointer"); }
+    const void *) { refused("rtColorPointer"); }
 RTAPI void RTAPIENTRY rtIndexPointer(RTenum, RTsizei, const void *) { refused("rtIndexPointer"); }
 RTAPI void RTAPIENTRY rtTexCoordPointer(RTint, RTenum, RTsizei,
-                                        const void *) { refused("rtTexCoordPointer"); }
+    const void *) { refused("rtTexCoordPointer"); }
 RTAPI void RTAPIENTRY rtEdgeFlagPointer(RTsizei, const void *) { refused("rtEdgeFlagPointer"); }
 RTAPI void RTAPIENTRY rtGetPointerv(RTenum, void **) { refused("rtGetPointerv"); }
 RTAPI void RTAPIENTRY rtArrayElement(RTint) { refused("rtArrayElement"); }
 RTAPI void RTAPIENTRY rtDrawArrays(RTenum, RTint, RTsizei) { refused("rtDrawArrays"); }
 RTAPI void RTAPIENTRY rtDrawElements(RTenum, RTsizei, RTenum,
-                                     const void *) { refused("rtDrawElements"); }
+    const void *) { refused("rtDrawElements"); }
 RTAPI void RTAPIENTRY rtInterleavedArrays(RTenum, RTsizei,
-                                          const void *) { refused("rtInterleavedArrays"); }
+    const void *) { refused("rtInterleavedArrays"); }
 RTAPI void RTAPIENTRY rtDrawRangeElements(RTenum, RTuint, RTuint, RTsizei, RTenum,
-                                          const void *) { refused("rtDrawRangeElements"); }
+    const void *) { refused("rtDrawRangeElements"); }
 RTAPI void RTAPIENTRY rtClientActiveTexture(RTenum) { refused("rtClientActiveTexture"); }
 RTAPI void RTAPIENTRY rtMultiDrawArrays(RTenum, const RTint *, const RTsizei *,
-                                        RTsizei) { refused("rtMultiDrawArrays"); }
+    RTsizei) { refused("rtMultiDrawArrays"); }
 RTAPI void RTAPIENTRY rtMultiDrawElements(RTenum, const RTsizei *, RTenum, const void *const *,
-                                          RTsizei) { refused("rtMultiDrawElements"); }
+    RTsizei) { refused("rtMultiDrawElements"); }
 RTAPI void RTAPIENTRY rtFogCoordPointer(RTenum, RTsizei,
-                                        const void *) { refused("rtFogCoordPointer"); }
+    const void *) { refused("rtFogCoordPointer"); }
 RTAPI void RTAPIENTRY rtSecondaryColorPointer(RTint, RTenum, RTsizei,
-                                              const void *) { refused("rtSecondaryColorPointer"); }
+    const void *) { refused("rtSecondaryColorPointer"); }
 
 // Buffer objects
 RTAPI void RTAPIENTRY rtBindBuffer(RTenum, RTuint) { refused("rtBindBuffer"); }
@@ -189,17 +189,17 @@ RTAPI void RTAPIENTRY rtDeleteBuffers(RTsizei, const RTuint *) { refused("rtDele
 RTAPI void RTAPIENTRY rtGenBuffers(RTsizei, RTuint *) { refused("rtGenBuffers"); }
 RTAPI RTboolean RTAPIENTRY rtIsBuffer(RTuint) { refused("rtIsBuffer"); return RT_FALSE; }
 RTAPI void RTAPIENTRY rtBufferData(RTenum, RTsizeiptr, const void *,
-                                   RTenum) { refused("rtBufferData"); }
+    RTenum) { refused("rtBufferData"); }
 RTAPI void RTAPIENTRY rtBufferSubData(RTenum, RTintptr, RTsizeiptr,
-                                      const void *) { refused("rtBufferSubData"); }
+    const void *) { refused("rtBufferSubData"); }
 RTAPI void RTAPIENTRY rtGetBufferSubData(RTenum, RTintptr, RTsizeiptr,
-                                         void *) { refused("rtGetBufferSubData"); }
+    void *) { refused("rtGetBufferSubData"); }
 RTAPI void *RTAPIENTRY rtMapBuffer(RTenum, RTenum) { refused("rtMapBuffer"); return nullptr; }
 RTAPI RTboolean RTAPIENTRY rtUnmapBuffer(RTenum) { refused("rtUnmapBuffer"); return RT_FALSE; }
 RTAPI void RTAPIENTRY rtGetBufferParameteriv(RTenum, RTenum,
-                                             RTint *) { refused("rtGetBufferParameteriv"); }
+    RTint *) { refused("rtGetBufferParameteriv"); }
 RTAPI void RTAPIENTRY rtGetBufferPointerv(RTenum, RTenum,
-                                          void **) { refused("rtGetBufferPointerv"); }
+    void **) { refused("rtGetBufferPointerv"); }
 
 // Queries
 RTAPI void RTAPIENTRY rtGenQueries(RTsizei, RTuint *) { refused("rtGenQueries"); }
@@ -210,7 +210,7 @@ RTAPI void RTAPIENTRY rtEndQuery(RTenum) { refused("rtEndQuery"); }
 RTAPI void RTAPIENTRY rtGetQueryiv(RTenum, RTenum, RTint *) { refused("rtGetQueryiv"); }
 RTAPI void RTAPIENTRY rtGetQueryObjectiv(RTuint, RTenum, RTint *) { refused("rtGetQueryObjectiv"); }
 RTAPI void RTAPIENTRY rtGetQueryObjectuiv(RTuint, RTenum,
-                                          RTuint *) { refused("rtGetQueryObjectuiv"); }
+    RTuint *) { refused("rtGetQueryObjectuiv"); }
 
 // Display lists
 RTAPI RTboolean RTAPIENTRY rtIsList(RTuint) { refused("rtIsList"); return RT_FALSE; }
@@ -271,7 +271,7 @@ RTAPI void RTAPIENTRY rtBlendEquation(RTenum) { refused("rtBlendEquation"); }
 RTAPI void RTAPIENTRY rtBlendColor(RTfloat, RTfloat, RTfloat, RTfloat) { refused("rtBlendColor"); }
 RTAPI void RTAPIENTRY rtSampleCoverage(RTfloat, RTboolean) { refused("rtSampleCoverage"); }
 RTAPI void RTAPIENTRY rtBlendFuncSeparate(RTenum, RTenum, RTenum,
-                                          RTenum) { refused("rtBlendFuncSeparate"); }
+    RTenum) { refused("rtBlendFuncSeparate"); }
 RTAPI void RTAPIENTRY rtPointParameterf(RTenum, RTfloat) { refused("rtPointParameterf"); }
 RTAPI void RTAPIENTRY rtPointParameterfv(RTenum, const RTfloat *) { refused("rtPointParameterfv"); }
 RTAPI void RTAPIENTRY rtPointParameteri(RTenum, RTint) { refused("rtPointParameteri"); }
@@ -282,7 +282,7 @@ RTAPI void RTAPIENTRY rtClearIndex(RTfloat) { refused("rtClearIndex"); }
 RTAPI void RTAPIENTRY rtClear(RTbitfield) { refused("rtClear"); }
 RTAPI void RTAPIENTRY rtIndexMask(RTuint) { refused("rtIndexMask"); }
 RTAPI void RTAPIENTRY rtColorMask(RTboolean, RTboolean, RTboolean,
-                                  RTboolean) { refused("rtColorMask"); }
+    RTboolean) { refused("rtColorMask"); }
 RTAPI void RTAPIENTRY rtDrawBuffer(RTenum) { refused("rtDrawBuffer"); }
 RTAPI void RTAPIENTRY rtReadBuffer(RTenum) { refused("rtReadBuffer"); }
 RTAPI void RTAPIENTRY rtClearDepth(RTclampd) { refused("rtClearDepth"); }
@@ -309,62 +309,58 @@ RTAPI void RTAPIENTRY rtTexEnviv(RTenum, RTenum, const RTint *) { refused("rtTex
 RTAPI void RTAPIENTRY rtGetTexEnvfv(RTenum, RTenum, RTfloat *) { refused("rtGetTexEnvfv"); }
 RTAPI void RTAPIENTRY rtGetTexEnviv(RTenum, RTenum, RTint *) { refused("rtGetTexEnviv"); }
 RTAPI void RTAPIENTRY rtTexParameterfv(RTenum, RTenum,
-                                       const RTfloat *) { refused("rtTexParameterfv"); }
+    const RTfloat *) { refused("rtTexParameterfv"); }
 RTAPI void RTAPIENTRY rtTexParameteriv(RTenum, RTenum,
-                                       const RTint *) { refused("rtTexParameteriv"); }
+    const RTint *) { refused("rtTexParameteriv"); }
 RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum, RTenum,
-                                          RTfloat *) { refused("rtGetTexParameterfv"); }
+    RTfloat *) { refused("rtGetTexParameterfv"); }
 RTAPI void RTAPIENTRY rtGetTexParameteriv(RTenum, RTenum,
-                                          RTint *) { refused("rtGetTexParameteriv"); }
+    RTint *) { refused("rtGetTexParameteriv"); }
 RTAPI void RTAPIENTRY rtGetTexLevelParameterfv(RTenum, RTint, RTenum,
-                                               RTfloat *) { refused("rtGetTexLevelParameterfv"); }
+    RTfloat *) { refused("rtGetTexLevelParameterfv"); }
 RTAPI void RTAPIENTRY rtGetTexLevelParameteriv(RTenum, RTint, RTenum,
-                                               RTint *) { refused("rtGetTexLevelParameteriv"); }
+    RTint *) { refused("rtGetTexLevelParameteriv"); }
 RTAPI void RTAPIENTRY rtTexImage1D(RTenum, RTint, RTint, RTsizei, RTint, RTenum, RTenum,
-                                   const void *) { refused("rtTexImage1D"); }
+    const void *) { refused("rtTexImage1D"); }
 RTAPI void RTAPIENTRY rtGetTexImage(RTenum, RTint, RTenum, RTenum,
-                                    void *) { refused("rtGetTexImage"); }
+    void *) { refused("rtGetTexImage"); }
 RTAPI void RTAPIENTRY rtPrioritizeTextures(RTsizei, const RTuint *,
-                                           const RTclampf *) { refused("rtPrioritizeTextures"); }
+    const RTclampf *) { refused("rtPrioritizeTextures"); }
 RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei, const RTuint *,
-                                                 RTboolean *) { refused("rtAreTexturesResident"); return RT_FALSE; }
+    RTboolean *) { refused("rtAreTexturesResident"); return RT_FALSE; }
 RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum, RTint, RTint, RTsizei, RTenum, RTenum,
-                                      const void *) { refused("rtTexSubImage1D"); }
+    const void *) { refused("rtTexSubImage1D"); }
 RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum, RTint, RTint, RTint, RTsizei, RTsizei, RTenum, RTenum,
-                                      const void *) { refused("rtTexSubImage2D"); }
+    const void *) { refused("rtTexSubImage2D"); }
 RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum, RTint, RTenum, RTint, RTint, RTsizei,
-                                       RTint) { refused("rtCopyTexImage1D"); }
+    RTint) { refused("rtCopyTexImage1D"); }
 RTAPI void RTAPIENTRY rtCopyTexImage2D(RTenum, RTint, RTenum, RTint, RTint, RTsizei, RTsizei,
-                                       RTint) { refused("rtCopyTexImage2D"); }
+    RTint) { refused("rtCopyTexImage2D"); }
 RTAPI void RTAPIENTRY rtCopyTexSubImage1D(RTenum, RTint, RTint, RTint, RTint,
-                                          RTsizei) { refused("rtCopyTexSubImage1D"); }
+    RTsizei) { refused("rtCopyTexSubImage1D"); }
 RTAPI void RTAPIENTRY rtCopyTexSubImage2D(RTenum, RTint, RTint, RTint, RTint, RTint, RTsizei,
-                                          RTsizei) { refused("rtCopyTexSubImage2D"); }
+    RTsizei) { refused("rtCopyTexSubImage2D"); }
 RTAPI void RTAPIENTRY rtTexImage3D(RTenum, RTint, RTint, RTsizei, RTsizei, RTsizei, RTint, RTenum,
-                                   RTenum, const void *) { refused("rtTexImage3D"); }
+    RTenum, const void *) { refused("rtTexImage3D"); }
 RTAPI void RTAPIENTRY rtTexSubImage3D(RTenum, RTint, RTint, RTint, RTint, RTsizei, RTsizei, RTsizei,
-                                      RTenum, RTenum, const void *) { refused("rtTexSubImage3D"); }
+    RTenum, RTenum, const void *) { refused("rtTexSubImage3D"); }
 RTAPI void RTAPIENTRY rtCopyTexSubImage3D(RTenum, RTint, RTint, RTint, RTint, RTint, RTint, RTsizei,
-                                          RTsizei) { refused("rtCopyTexSubImage3D"); }
+    RTsizei) { refused("rtCopyTexSubImage3D"); }
 RTAPI void RTAPIENTRY rtActiveTexture(RTenum) { refused("rtActiveTexture"); }
 RTAPI void RTAPIENTRY rtCompressedTexImage1D(RTenum, RTint, RTenum, RTsizei, RTint, RTsizei,
-                                             const void *) { refused("rtCompressedTexImage1D"); }
+    const void *) { refused("rtCompressedTexImage1D"); }
 RTAPI void RTAPIENTRY rtCompressedTexImage2D(RTenum, RTint, RTenum, RTsizei, RTsizei, RTint,
-                                             RTsizei,
-                                             const void *) { refused("rtCompressedTexImage2D"); }
+    RTsizei, const void *) { refused("rtCompressedTexImage2D"); }
 RTAPI void RTAPIENTRY rtCompressedTexImage3D(RTenum, RTint, RTenum, RTsizei, RTsizei, RTsizei,
-                                             RTint, RTsizei,
-                                             const void *) { refused("rtCompressedTexImage3D"); }
+    RTint, RTsizei, const void *) { refused("rtCompressedTexImage3D"); }
 RTAPI void RTAPIENTRY rtCompressedTexSubImage1D(RTenum, RTint, RTint, RTsizei, RTenum, RTsizei,
-                                                const void *) { refused("rtCompressedTexSubImage1D"); }
+    const void *) { refused("rtCompressedTexSubImage1D"); }
 RTAPI void RTAPIENTRY rtCompressedTexSubImage2D(RTenum, RTint, RTint, RTint, RTsizei, RTsizei,
-                                                RTenum, RTsizei,
-                                                const void *) { refused("rtCompressedTexSubImage2D"); }
+    RTenum, RTsizei, const void *) { refused("rtCompressedTexSubImage2D"); }
 RTAPI void RTAPIENTRY rtCompressedTexSubImage3D(RTenum, RTint, RTint, RTint, RTint, RTsizei,
-                                                RTsizei, RTsizei, RTenum, RTsizei,
-                                                const void *) { refused("rtCompressedTexSubImage3D"); }
+    RTsizei, RTsizei, RTenum, RTsizei, const void *) { refused("rtCompressedTexSubImage3D"); }
 RTAPI void RTAPIENTRY rtGetCompressedTexImage(RTenum, RTint,
-                                              void *) { refused("rtGetCompressedTexImage"); }
+    void *) { refused("rtGetCompressedTexImage"); }
 
 // Pixels
 RTAPI void RTAPIENTRY rtPixelZoom(RTfloat, RTfloat) { refused("rtPixelZoom"); }
@@ -377,23 +373,23 @@ RTAPI void RTAPIENTRY rtGetPixelMapfv(RTenum, RTfloat *) { refused("rtGetPixelMa
 RTAPI void RTAPIENTRY rtGetPixelMapuiv(RTenum, RTuint *) { refused("rtGetPixelMapuiv"); }
 RTAPI void RTAPIENTRY rtGetPixelMapusv(RTenum, RTushort *) { refused("rtGetPixelMapusv"); }
 RTAPI void RTAPIENTRY rtBitmap(RTsizei, RTsizei, RTfloat, RTfloat, RTfloat, RTfloat,
-                               const RTubyte *) { refused("rtBitmap"); }
+    const RTubyte *) { refused("rtBitmap"); }
 RTAPI void RTAPIENTRY rtReadPixels(RTint, RTint, RTsizei, RTsizei, RTenum, RTenum,
-                                   void *) { refused("rtReadPixels"); }
+    void *) { refused("rtReadPixels"); }
 RTAPI void RTAPIENTRY rtDrawPixels(RTsizei, RTsizei, RTenum, RTenum,
-                                   const void *) { refused("rtDrawPixels"); }
+    const void *) { refused("rtDrawPixels"); }
 RTAPI void RTAPIENTRY rtCopyPixels(RTint, RTint, RTsizei, RTsizei,
-                                   RTenum) { refused("rtCopyPixels"); }
+    RTenum) { refused("rtCopyPixels"); }
 
 // Evaluators
 RTAPI void RTAPIENTRY rtMap1d(RTenum, RTdouble, RTdouble, RTint, RTint,
-                              const RTdouble *) { refused("rtMap1d"); }
+    const RTdouble *) { refused("rtMap1d"); }
 RTAPI void RTAPIENTRY rtMap1f(RTenum, RTfloat, RTfloat, RTint, RTint,
-                              const RTfloat *) { refused("rtMap1f"); }
+    const RTfloat *) { refused("rtMap1f"); }
 RTAPI void RTAPIENTRY rtMap2d(RTenum, RTdouble, RTdouble, RTint, RTint, RTdouble, RTdouble, RTint,
-                              RTint, const RTdouble *) { refused("rtMap2d"); }
+    RTint, const RTdouble *) { refused("rtMap2d"); }
 RTAPI void RTAPIENTRY rtMap2f(RTenum, RTfloat, RTfloat, RTint, RTint, RTfloat, RTfloat, RTint,
-                              RTint, const RTfloat *) { refused("rtMap2f"); }
+    RTint, const RTfloat *) { refused("rtMap2f"); }
 RTAPI void RTAPIENTRY rtGetMapdv(RTenum, RTenum, RTdouble *) { refused("rtGetMapdv"); }
 RTAPI void RTAPIENTRY rtGetMapfv(RTenum, RTenum, RTfloat *) { refused("rtGetMapfv"); }
 RTAPI void RTAPIENTRY rtGetMapiv(RTenum, RTenum, RTint *) { refused("rtGetMapiv"); }
@@ -408,9 +404,9 @@ RTAPI void RTAPIENTRY rtEvalCoord2fv(const RTfloat *) { refused("rtEvalCoord2fv"
 RTAPI void RTAPIENTRY rtMapGrid1d(RTint, RTdouble, RTdouble) { refused("rtMapGrid1d"); }
 RTAPI void RTAPIENTRY rtMapGrid1f(RTint, RTfloat, RTfloat) { refused("rtMapGrid1f"); }
 RTAPI void RTAPIENTRY rtMapGrid2d(RTint, RTdouble, RTdouble, RTint, RTdouble,
-                                  RTdouble) { refused("rtMapGrid2d"); }
+    RTdouble) { refused("rtMapGrid2d"); }
 RTAPI void RTAPIENTRY rtMapGrid2f(RTint, RTfloat, RTfloat, RTint, RTfloat,
-                                  RTfloat) { refused("rtMapGrid2f"); }
+    RTfloat) { refused("rtMapGrid2f"); }
 RTAPI void RTAPIENTRY rtEvalPoint1(RTint) { refused("rtEvalPoint1"); }
 RTAPI void RTAPIENTRY rtEvalPoint2(RTint, RTint) { refused("rtEvalPoint2"); }
 RTAPI void RTAPIENTRY rtEvalMesh1(RTenum, RTint, RTint) { refused("rtEvalMesh1"); }
@@ -428,63 +424,62 @@ RTAPI void RTAPIENTRY rtPopName(void) { refused("rtPopName"); }
 
 // Imaging subset
 RTAPI void RTAPIENTRY rtColorTable(RTenum, RTenum, RTsizei, RTenum, RTenum,
-                                   const void *) { refused("rtColorTable"); }
+    const void *) { refused("rtColorTable"); }
 RTAPI void RTAPIENTRY rtColorSubTable(RTenum, RTsizei, RTsizei, RTenum, RTenum,
-                                      const void *) { refused("rtColorSubTable"); }
+    const void *) { refused("rtColorSubTable"); }
 RTAPI void RTAPIENTRY rtColorTableParameteriv(RTenum, RTenum,
-                                              const RTint *) { refused("rtColorTableParameteriv"); }
+    const RTint *) { refused("rtColorTableParameteriv"); }
 RTAPI void RTAPIENTRY rtColorTableParameterfv(RTenum, RTenum,
-                                              const RTfloat *) { refused("rtColorTableParameterfv"); }
+    const RTfloat *) { refused("rtColorTableParameterfv"); }
 RTAPI void RTAPIENTRY rtCopyColorSubTable(RTenum, RTsizei, RTint, RTint,
-                                          RTsizei) { refused("rtCopyColorSubTable"); }
+    RTsizei) { refused("rtCopyColorSubTable"); }
 RTAPI void RTAPIENTRY rtCopyColorTable(RTenum, RTenum, RTint, RTint,
-                                       RTsizei) { refused("rtCopyColorTable"); }
+    RTsizei) { refused("rtCopyColorTable"); }
 RTAPI void RTAPIENTRY rtGetColorTable(RTenum, RTenum, RTenum,
-                                      void *) { refused("rtGetColorTable"); }
+    void *) { refused("rtGetColorTable"); }
 RTAPI void RTAPIENTRY rtGetColorTableParameterfv(RTenum, RTenum,
-                                                 RTfloat *) { refused("rtGetColorTableParameterfv"); }
+    RTfloat *) { refused("rtGetColorTableParameterfv"); }
 RTAPI void RTAPIENTRY rtGetColorTableParameteriv(RTenum, RTenum,
-                                                 RTint *) { refused("rtGetColorTableParameteriv"); }
+    RTint *) { refused("rtGetColorTableParameteriv"); }
 RTAPI void RTAPIENTRY rtHistogram(RTenum, RTsizei, RTenum, RTboolean) { refused("rtHistogram"); }
 RTAPI void RTAPIENTRY rtResetHistogram(RTenum) { refused("rtResetHistogram"); }
 RTAPI void RTAPIENTRY rtGetHistogram(RTenum, RTboolean, RTenum, RTenum,
-                                     void *) { refused("rtGetHistogram"); }
+    void *) { refused("rtGetHistogram"); }
 RTAPI void RTAPIENTRY rtGetHistogramParameterfv(RTenum, RTenum,
-                                                RTfloat *) { refused("rtGetHistogramParameterfv"); }
+    RTfloat *) { refused("rtGetHistogramParameterfv"); }
 RTAPI void RTAPIENTRY rtGetHistogramParameteriv(RTenum, RTenum,
-                                                RTint *) { refused("rtGetHistogramParameteriv"); }
+    RTint *) { refused("rtGetHistogramParameteriv"); }
 RTAPI void RTAPIENTRY rtMinmax(RTenum, RTenum, RTboolean) { refused("rtMinmax"); }
 RTAPI void RTAPIENTRY rtResetMinmax(RTenum) { refused("rtResetMinmax"); }
 RTAPI void RTAPIENTRY rtGetMinmax(RTenum, RTboolean, RTenum, RTenum,
-                                  void *) { refused("rtGetMinmax"); }
+    void *) { refused("rtGetMinmax"); }
 RTAPI void RTAPIENTRY rtGetMinmaxParameterfv(RTenum, RTenum,
-                                             RTfloat *) { refused("rtGetMinmaxParameterfv"); }
+    RTfloat *) { refused("rtGetMinmaxParameterfv"); }
 RTAPI void RTAPIENTRY rtGetMinmaxParameteriv(RTenum, RTenum,
-                                             RTint *) { refused("rtGetMinmaxParameteriv"); }
+    RTint *) { refused("rtGetMinmaxParameteriv"); }
 RTAPI void RTAPIENTRY rtConvolutionFilter1D(RTenum, RTenum, RTsizei, RTenum, RTenum,
-                                            const void *) { refused("rtConvolutionFilter1D"); }
+    const void *) { refused("rtConvolutionFilter1D"); }
 RTAPI void RTAPIENTRY rtConvolutionFilter2D(RTenum, RTenum, RTsizei, RTsizei, RTenum, RTenum,
-                                            const void *) { refused("rtConvolutionFilter2D"); }
+    const void *) { refused("rtConvolutionFilter2D"); }
 RTAPI void RTAPIENTRY rtConvolutionParameterf(RTenum, RTenum,
-                                              RTfloat) { refused("rtConvolutionParameterf"); }
+    RTfloat) { refused("rtConvolutionParameterf"); }
 RTAPI void RTAPIENTRY rtConvolutionParameterfv(RTenum, RTenum,
-                                               const RTfloat *) { refused("rtConvolutionParameterfv"); }
+    const RTfloat *) { refused("rtConvolutionParameterfv"); }
 RTAPI void RTAPIENTRY rtConvolutionParameteri(RTenum, RTenum,
-                                              RTint) { refused("rtConvolutionParameteri"); }
+    RTint) { refused("rtConvolutionParameteri"); }
 RTAPI void RTAPIENTRY rtConvolutionParameteriv(RTenum, RTenum,
-                                               const RTint *) { refused("rtConvolutionParameteriv"); }
+    const RTint *) { refused("rtConvolutionParameteriv"); }
 RTAPI void RTAPIENTRY rtCopyConvolutionFilter1D(RTenum, RTenum, RTint, RTint,
-                                                RTsizei) { refused("rtCopyConvolutionFilter1D"); }
+    RTsizei) { refused("rtCopyConvolutionFilter1D"); }
 RTAPI void RTAPIENTRY rtCopyConvolutionFilter2D(RTenum, RTenum, RTint, RTint, RTsizei,
-                                                RTsizei) { refused("rtCopyConvolutionFilter2D"); }
+    RTsizei) { refused("rtCopyConvolutionFilter2D"); }
 RTAPI void RTAPIENTRY rtGetConvolutionFilter(RTenum, RTenum, RTenum,
-                                             void *) { refused("rtGetConvolutionFilter"); }
+    void *) { refused("rtGetConvolutionFilter"); }
 RTAPI void RTAPIENTRY rtGetConvolutionParameterfv(RTenum, RTenum,
-                                                  RTfloat *) { refused("rtGetConvolutionParameterfv"); }
+    RTfloat *) { refused("rtGetConvolutionParameterfv"); }
 RTAPI void RTAPIENTRY rtGetConvolutionParameteriv(RTenum, RTenum,
-                                                  RTint *) { refused("rtGetConvolutionParameteriv"); }
+    RTint *) { refused("rtGetConvolutionParameteriv"); }
 RTAPI void RTAPIENTRY rtSeparableFilter2D(RTenum, RTenum, RTsizei, RTsizei, RTenum, RTenum,
-                                          const void *,
-                                          const void *) { refused("rtSeparableFilter2D"); }
+    const void *, const void *) { refused("rtSeparableFilter2D"); }
 RTAPI void RTAPIENTRY rtGetSeparableFilter(RTenum, RTenum, RTenum, void *, void *,
-                                           void *) { refused("rtGetSeparableFilter"); }
+    void *) { refused("rtGetSeparableFilter"); }

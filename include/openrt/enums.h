@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The tokens of the OpenRT interface. Those that OpenGL 1.5 has too are in openrt/rt_gl_enums_1_*.h,
- * with OpenGL's values; here are the ones whose value the SMART header of 2009 fixed, and the
- * library's own, from 0x7F000 on. A value is unique for the parameter that takes it, not over all
+/* The tokens of the OpenRT interface. Those that OpenGL 1.5 has too are in rt_gl_enums_1_1.h and
+ * rt_gl_enums_1_5.h, with OpenGL's values; here are the ones whose value the SMART header of 2009
+ * fixed, and the library's own, from 0x7F000 on. A value is unique for the parameter that takes it, not over all
  * tokens. Values never change once released. */
 #ifndef OPENRT_ENUMS_H
 #define OPENRT_ENUMS_H
@@ -101,7 +101,7 @@
 #define RT_FRAME_PROGRESS 0x7F055 /* callback event: a tile has been delivered */
 
 /* Statistics (rtGetIntegerv, rtGetInteger64v) */
-#define RT_STAT_TRIANGLES 0x7F100          /* triangles of the last frame's scene, each model once */
+#define RT_STAT_TRIANGLES 0x7F100          /* triangles of the last frame, each model once */
 #define RT_STAT_INSTANCES 0x7F101          /* instances of the last frame's scene */
 #define RT_STAT_NODES 0x7F102              /* tree nodes, both levels */
 #define RT_STAT_LEAVES 0x7F103             /* leaves among them */
@@ -116,6 +116,6 @@
 #define RT_STAT_SHADOW_RAYS 0x7F10C        /* rays towards lights of the last frame */
 #define RT_STAT_SECONDARY_RAYS 0x7F10D     /* rays spawned by shaders in the last frame */
 #define RT_STAT_DROPPED_INSTANCES 0x7F10E  /* instances dropped for a matrix without an inverse */
-#define RT_STAT_BUILD_MICROSECONDS 0x7F10F /* time spent building trees since the context was made */
+#define RT_STAT_BUILD_MICROSECONDS 0x7F10F /* building trees since the context was made */
 
 #endif
