@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -76,6 +77,7 @@ private:
     mutable ModelView view_{};
     mutable std::once_flag recordsOnce_;
     mutable std::vector<TriangleRecord> records_;
+    mutable std::atomic<std::size_t> recordBytes_{0}; ///< bytes() may run beside the making
 };
 
 using ModelPtr = std::shared_ptr<const Model>;

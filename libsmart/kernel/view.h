@@ -47,7 +47,9 @@ struct ModelView {
     KdView tree;
     const InstanceView* children;
     KdView childTree;
-    uint32_t childCount; ///< one child needs no tree: childTree.nodes is nullptr then
+    /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while
+    /// childTree's box still holds.
+    uint32_t childCount;
 };
 
 } // namespace smart

@@ -35,7 +35,7 @@ struct HitStream {
 enum class Coherence { Coherent, Incoherent };
 
 void intersect(const Scene&, const RayStream&, const HitStream&, std::size_t count, Coherence);
-/// blocked[i * blockedStride] = 1 or 0
+/// blocked[i] = 1 or 0
 void occluded(const Scene&, const RayStream&, uint8_t* blocked, std::size_t count, Coherence);
 
 } // namespace smart

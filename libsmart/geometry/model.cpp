@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/geometry/model.h"
+
+#include <cmath>
+
+#include "libsmart/base/fp_environment.h"
+#include "libsmart/geometry/kd_view.h"
+
+namespace smart {
+namespace {
+
+template <class T>
+std::size_t heldBytes(const std::vector<T>& vector) {
+    return vector.capacity() * sizeof(T);
+}
+
+/// Computed in double, each entry rounded once.
+TriangleRecord makeRecord(const Triangle& triangle) {
+    double e1[3], e2[3], normal[3];
+    for (int k = 0; k < 3; ++k) {
+        e1[k] = double(triangle.v1[k]) - triangle.v0[k];
+        e2[k] = double(triangle.v2[k]) - triangle.v0[k];
+    }
+    int axis = 0;
+    for (int k = 0; k < 3; ++k) {
+        const int ku = (k + 1) % 3, kv = (k + 2) % 3;
+        normal[k] = e1[ku] * e2[kv] - e1[kv] * e2[ku];
+        if (std::fabs(normal[k]) > std::fabs(normal[axis])) axis = k;
+    }
+    const int ku = (axis + 1) % 3, kv = (axis + 2) % 3;
+    const double area = normal[axis];
+    const double p = triangle.v0[ku], q = triangle.v0[kv];
+    TriangleRecord record{};
+    record.nu = float(normal[ku] / area);
+    record.nv = float(normal[kv] / area);
+    record.nd = float(triangle.v0[axis] + (normal[ku] * p + normal[kv] * q) / area);
+    record.bu = float(e2[kv] / area);
+    record.bv = float(-e2[ku] / area);
+    record.bd = float((e2[ku] * q - e2[kv] * p) / area);
+    record.cu = float(-e1[kv] / area);
+    record.cv = float(e1[ku] / area);
+    record.cd = float((e1[kv] * p - e1[ku] * q) / area);
+    // Degenerate, not finite, or too small or too large for single precision: never hit.
+    for (const float entry : {record.nu, record.nv, record.nd, record.bu, record.bv, record.bd,
+                              record.cu, record.cv, record.cd}) {
+        if (!std::isfinite(entry)) return {0, 0, 0, 3, 0, 0, 0, 0, 0, 0};
+    }
+    record.axis = uint32_t(axis);
+    return record;
+}
+
+} // namespace
+
+std::size_t ShadingData::bytes() const {
+    return heldBytes(corners) + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
+           heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
+           heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
+           heldBytes(keepAlive);
+}
+
+std::size_t Model::bytes() const {
+    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() +
+           children.bytes() + recordBytes_.load(std::memory_order_relaxed);
+}
+
+void Model::makeView() {
+    view_.triangles = triangles.data();
+    view_.tree = makeKdView(tree, tree.bounds);
+    children.show(view_);
+}
+
+void Model::prepareFastRecords() const {
+    std::call_once(recordsOnce_, [this] {
+        const FpEnvironment standard;
+        for (const Instance& child : children.instances()) {
+            if (child.model) child.model->prepareFastRecords();
+        }
+        records_.reserve(triangles.size());
+        for (const Triangle& triangle : triangles) records_.push_back(makeRecord(triangle));
+        recordBytes_.store(heldBytes(records_), std::memory_order_relaxed);
+        view_.records = records_.data();
+    });
+}
+
+} // namespace smart

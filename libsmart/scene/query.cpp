@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/scene/query.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "libsmart/base/fp_environment.h"
+#include "libsmart/scene/hit_chain.h"
+
+namespace smart {
+namespace {
+
+constexpr std::size_t kLanes = kPacketSize;
+
+/// Reads single values of the application's rays.
+class RayReader {
+public:
+    explicit RayReader(const RayStream& stream) : stream_(stream) {}
+
+    float org(int axis, std::size_t i) const {
+        return stream_.org[axis][stream_.commonOrigin ? 0 : at(i)];
+    }
+    float dir(int axis, std::size_t i) const { return stream_.dir[axis][at(i)]; }
+    float tNear(std::size_t i) const { return stream_.tNear ? stream_.tNear[at(i)] : 0.0f; }
+    float tFar(std::size_t i) const {
+        return stream_.tFar ? stream_.tFar[at(i)] : std::numeric_limits<float>::infinity();
+    }
+
+    Ray ray(std::size_t i) const {
+        return {{org(0, i), org(1, i), org(2, i)},
+                {dir(0, i), dir(1, i), dir(2, i)},
+                tNear(i),
+                tFar(i)};
+    }
+    /// Rays first.. in as many lanes; lanes left over hold a harmless ray and are not active.
+    void fill(RayPacket& packet, std::size_t first, std::size_t lanes) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                packet.org[axis][lane] = lane < lanes ? org(axis, first + lane) : 0.0f;
+                packet.dir[axis][lane] = lane < lanes ? dir(axis, first + lane) : 1.0f;
+            }
+        }
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            packet.tNear[lane] = lane < lanes ? tNear(first + lane) : 0.0f;
+            packet.tFar[lane] = lane < lanes ? tFar(first + lane) : 0.0f;
+        }
+        packet.active = (1u << lanes) - 1;
+    }
+
+private:
+    std::ptrdiff_t at(std::size_t i) const { return std::ptrdiff_t(i) * stream_.stride; }
+
+    const RayStream& stream_;
+};
+
+/// Writes what the application wants to know of each ray, and computes no more.
+class HitWriter {
+public:
+    HitWriter(const Scene& scene, const RayReader& rays, const HitStream& stream)
+        : scene_(scene),
+          rays_(rays),
+          stream_(stream),
+          wantsNormal_(stream.normal[0] || stream.normal[1] || stream.normal[2] || stream.flags),
+          wantsChain_(wantsNormal_ || stream.object) {}
+
+    void write(std::size_t i, const Hit& hit) const {
+        if (hit.triangle == kNoHit) return writeMiss(i);
+        put(stream_.t, i, hit.t);
+        put(stream_.u, i, hit.u);
+        put(stream_.v, i, hit.v);
+        put(stream_.primitive, i, hit.triangle);
+        put(stream_.instance, i, hit.path[0]);
+        if (!wantsChain_) return;
+        const HitChain chain = resolve(scene_, hit.path, hit.levels, hit.triangle);
+        put(stream_.object, i, chain.instances[chain.levels - 1]->objectId);
+        if (!wantsNormal_) return;
+        const glm::dvec3 normal = chain.worldNormal();
+        const glm::dvec3 direction(rays_.dir(0, i), rays_.dir(1, i), rays_.dir(2, i));
+        for (int axis = 0; axis < 3; ++axis) put(stream_.normal[axis], i, float(normal[axis]));
+        put(stream_.flags, i, uint32_t(glm::dot(direction, normal) > 0));
+    }
+
+private:
+    template <class T>
+    void put(T* values, std::size_t i, T value) const {
+        if (values) values[std::ptrdiff_t(i) * stream_.stride] = value;
+    }
+    void writeMiss(std::size_t i) const {
+        put(stream_.t, i, rays_.tFar(i));
+        put(stream_.u, i, 0.0f);
+        put(stream_.v, i, 0.0f);
+        put(stream_.primitive, i, kNoId);
+        put(stream_.object, i, kNoId);
+        put(stream_.instance, i, kNoId);
+        for (float* component : stream_.normal) put(component, i, 0.0f);
+        put(stream_.flags, i, 0u);
+    }
+
+    const Scene& scene_;
+    const RayReader& rays_;
+    const HitStream& stream_;
+    const bool wantsNormal_, wantsChain_;
+};
+
+Hit laneHit(const HitPacket& hits, std::size_t lane) {
+    Hit hit;
+    hit.triangle = hits.triangle[lane];
+    if (hit.triangle == kNoHit) return hit;
+    hit.t = hits.t[lane];
+    hit.u = hits.u[lane];
+    hit.v = hits.v[lane];
+    hit.levels = hits.levels[lane];
+    for (uint32_t level = 0; level < hit.levels; ++level) hit.path[level] = hits.path[level][lane];
+    return hit;
+}
+
+} // namespace
+
+void intersect(const Scene& scene, const RayStream& rays, const HitStream& hits, std::size_t count,
+               Coherence coherence) {
+    const FpEnvironment standard;
+    const int precision = int(scene.precision());
+    const RayReader reader(rays);
+    const HitWriter writer(scene, reader, hits);
+    if (coherence == Coherence::Incoherent) {
+        const auto intersect1 = kernels().intersect1[precision];
+        Hit hit;
+        for (std::size_t i = 0; i < count; ++i) {
+            intersect1(scene.view(), reader.ray(i), hit);
+            writer.write(i, hit);
+        }
+        return;
+    }
+    const auto intersect16 = kernels().intersect[precision];
+    RayPacket packet;
+    HitPacket found;
+    for (std::size_t first = 0; first < count; first += kLanes) {
+        const std::size_t lanes = std::min(kLanes, count - first);
+        reader.fill(packet, first, lanes);
+        intersect16(scene.view(), packet, found);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            writer.write(first + lane, laneHit(found, lane));
+        }
+    }
+}
+
+void occluded(const Scene& scene, const RayStream& rays, uint8_t* blocked, std::size_t count,
+              Coherence coherence) {
+    const FpEnvironment standard;
+    const int precision = int(scene.precision());
+    const RayReader reader(rays);
+    if (coherence == Coherence::Incoherent) {
+        const auto occluded1 = kernels().occluded1[precision];
+        for (std::size_t i = 0; i < count; ++i) {
+            blocked[i] = occluded1(scene.view(), reader.ray(i));
+        }
+        return;
+    }
+    const auto occluded16 = kernels().occluded[precision];
+    RayPacket packet;
+    for (std::size_t first = 0; first < count; first += kLanes) {
+        const std::size_t lanes = std::min(kLanes, count - first);
+        reader.fill(packet, first, lanes);
+        uint32_t mask = 0;
+        occluded16(scene.view(), packet, mask);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            blocked[first + lane] = (mask >> lane) & 1;
+        }
+    }
+}
+
+} // namespace smart
