@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The tokens of the OpenRT interface. Those that OpenGL 1.5 has too are in rt_gl_enums_1_1.h and
  * rt_gl_enums_1_5.h, with OpenGL's values; here are the ones whose value the SMART header of 2009
- * fixed, and the library's own, from 0x7F000 on. A value is unique for the parameter that takes it, not over all
- * tokens. Values never change once released. */
+ * fixed, and the library's own, from 0x7F000 on. A value is unique for the parameter that takes
+ * it, not over all tokens. Values never change once released. */
 #ifndef OPENRT_ENUMS_H
 #define OPENRT_ENUMS_H
 

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Brings libOpenRT.map up to date: every function of the public C headers in a version node.
+
+A function that no node lists yet goes into the node of the release under way, the version in the
+top CMakeLists.txt; nodes of earlier releases stay as they are. With --check nothing is written:
+exit status 1 if a function is missing.
+"""
+import argparse
+import pathlib
+import re
+import sys
+
+DECLARATION = re.compile(r"\bRTAPI\b[^;{}()]*?\bRTAPIENTRY\s+(\w+)\s*\(")
+OTHER_LIBRARY = {"rtut.h"}
+NODE = re.compile(r"^(OPENRT_[\d.]+) \{\n    global:\n(.*?)(    local: \*;\n)?\}( OPENRT_[\d.]+)?;\n",
+                  re.DOTALL | re.MULTILINE)
+
+
+def declared(include):
+    names = set()
+    for header in sorted(include.glob("*.h")):
+        if header.name not in OTHER_LIBRARY:
+            text = re.sub(r"/\*.*?\*/", "", header.read_text(encoding="utf-8"), flags=re.DOTALL)
+            names.update(DECLARATION.findall(text))
+    return names
+
+
+def release(root):
+    text = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    return "OPENRT_" + re.search(r"project\(OpenRT VERSION (\d+\.\d+)", text).group(1)
+
+
+def updated(text, names, newest):
+    """The map with the unlisted names in node `newest`, and names gone since removed from it."""
+    nodes = {node: set(re.findall(r"(\w+);", body)) for node, body, _, _ in NODE.findall(text)}
+    released = set().union(*(listed for node, listed in nodes.items() if node != newest))
+    lines = ["/* SPDX-License-Identifier: MIT */",
+             "/* What libOpenRT.so exports, each function in the node of the release that added it.",
+             " * Kept by compat/generate_map.py; the node of a released version never changes. */"]
+    parent = ""
+    for node in [n for n in nodes if n != newest] + [newest]:
+        members = names - released if node == newest else nodes[node]
+        lines += [f"{node} {{", "    global:"]
+        lines += [f"        {name};" for name in sorted(members)]
+        lines += ["    local: *;"] * (not parent) + [f"}}{parent};"]
+        parent = f" {node}"
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="compare, write nothing")
+    arguments = parser.parse_args()
+    root = pathlib.Path(__file__).resolve().parent.parent
+    path = root / "compat/libOpenRT.map"
+    old = path.read_text(encoding="utf-8") if path.exists() else ""
+    new = updated(old, declared(root / "include/openrt"), release(root))
+    if not arguments.check:
+        path.write_text(new, encoding="utf-8")
+    elif old != new:
+        print("compat/libOpenRT.map is not up to date; run compat/generate_map.py")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Who may include whom.
+
+A layer includes itself and the layers before it:
+include/openrt < base < accel < kernel < geometry < scene < shading < render < recorder < openrt.
+Besides: the headers of the C API are for compat/openrt and applications only; what the kernels
+see has neither GLM nor containers; samples see the public headers only; every quoted include is
+written from the root.
+"""
+import pathlib
+import re
+import sys
+
+from sources import source_files
+
+LAYERS = ["include/openrt", "libsmart/base", "libsmart/accel", "libsmart/kernel",
+          "libsmart/geometry", "libsmart/scene", "libsmart/shading", "libsmart/render",
+          "compat/recorder", "compat/openrt"]
+# What records and starts frames; shaders and the core have never heard of it.
+API_HEADERS = {f"include/openrt/{name}"
+               for name in ("rt.h", "rt.hpp", "rt_gl.h", "rtu.h", "rtut.h", "gl.h")}
+KERNEL_MAY_SEE = {"libsmart/accel/kd_node.h"}
+CONTAINERS = {"vector", "map", "set", "unordered_map", "unordered_set", "deque", "list", "string",
+              "memory", "functional", "iostream", "sstream", "fstream"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def includes_of(text):
+    """[(quoted, path)] in order; quoted says "..." as opposed to <...>."""
+    return [(mark == '"', path) for mark, path in INCLUDE.findall(text)]
+
+
+def layer_of(path):
+    for layer in LAYERS:
+        if path.startswith(layer + "/"):
+            return layer
+    return None
+
+
+def target_of(path):
+    """An include as a path from the root."""
+    return "include/" + path if path.startswith("openrt/") else path
+
+
+class Tree:
+    """The sources by path from the root; texts may be given instead of files, for tests."""
+
+    def __init__(self, texts):
+        self.includes = {path: includes_of(text) for path, text in texts.items()}
+
+    def project_includes(self, path):
+        return [target_of(p) for _, p in self.includes.get(path, [])
+                if p.split("/")[0] in ("openrt", "libsmart", "compat", "samples", "tests")]
+
+    def closure(self, path):
+        seen, todo = set(), [path]
+        while todo:
+            current = todo.pop()
+            if current not in seen:
+                seen.add(current)
+                todo += self.project_includes(current)
+        return seen
+
+    def problems(self):
+        found = []
+        for path in sorted(self.includes):
+            found += self.direction(path)
+            found += self.from_root(path)
+            if path.startswith("libsmart/kernel/") and (path.endswith(".h")
+                                                        or "kernels_isa" in path):
+                found += self.kernel_purity(path)
+        return found
+
+    def direction(self, path):
+        own = layer_of(path)
+        if own is None:
+            if path.startswith(("libsmart/", "compat/")) and path.count("/") > 1:
+                return [f"{path}: its folder is no layer"]
+            if path.startswith("samples/"):
+                return [f"{path} includes {t}: samples see public headers only"
+                        for t in self.project_includes(path)
+                        if not t.startswith(("include/openrt/", "samples/"))]
+            return []
+        found = []
+        for target in self.project_includes(path):
+            other = layer_of(target)
+            if other is None:
+                found.append(f"{path} includes {target}, which is no layer below it")
+            elif LAYERS.index(other) > LAYERS.index(own):
+                found.append(f"{path} includes {target}: {own} is below {other}")
+            if own not in ("compat/openrt", "include/openrt") and target in API_HEADERS:
+                found.append(f"{path} includes {target}: for compat/openrt and applications only")
+            if (own == "libsmart/kernel" and other == "libsmart/accel"
+                    and target not in KERNEL_MAY_SEE):
+                found.append(f"{path} includes {target}: kernels may see kd_node.h only")
+        return found
+
+    def from_root(self, path):
+        return [f"{path}: include \"{p}\" is not written from the root"
+                for quoted, p in self.includes[path]
+                if quoted and p.split("/")[0] not in ("openrt", "libsmart", "compat", "samples",
+                                                      "tests")]
+
+    def kernel_purity(self, path):
+        found = []
+        for seen in sorted(self.closure(path)):
+            for _, name in self.includes.get(seen, []):
+                if name.startswith("glm/") or name in CONTAINERS:
+                    found.append(f"{path} sees <{name}> through {seen}: neither GLM nor "
+                                 "containers in kernels")
+        return found
+
+
+def check(root):
+    texts = {str(path): pathlib.Path(root, path).read_text(encoding="utf-8")
+             for path in source_files(root) if path.suffix in (".c", ".h", ".cpp", ".hpp")}
+    return Tree(texts).problems()
+
+
+if __name__ == "__main__":
+    result = check(sys.argv[1])
+    print("\n".join(result) or "all includes point the right way")
+    sys.exit(1 if result else 0)

@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The form of every source file: its length, its licence line, one guard against inclusion."""
+import pathlib
+import sys
+
+from sources import source_files
+
+MAX_LINES = 600
+LICENCE = "SPDX-License-Identifier: MIT"
+
+
+def problems_of(path, text):
+    lines = text.splitlines()
+    found = []
+    if len(lines) > MAX_LINES:
+        found.append(f"{path}: {len(lines)} lines, more than {MAX_LINES}")
+    if not any(LICENCE in line for line in lines[:2]):
+        found.append(f"{path}: no licence line ({LICENCE}) at the top")
+    public_c = path.parts[:2] == ("include", "openrt") and path.suffix == ".h"
+    if path.suffix in (".h", ".hpp") and not public_c and "#pragma once" not in lines:
+        found.append(f"{path}: no #pragma once")
+    return found
+
+
+def check(root):
+    found = []
+    for path in source_files(root):
+        text = pathlib.Path(root, path).read_text(encoding="utf-8")
+        found += problems_of(path, text)
+    return found
+
+
+if __name__ == "__main__":
+    result = check(sys.argv[1])
+    print("\n".join(result) or "the form of all sources is in order")
+    sys.exit(1 if result else 0)
