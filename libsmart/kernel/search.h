@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What a traversal carries along: the rays in the space at hand, and the best hit of each lane.
+#pragma once
+
+#include "libsmart/kernel/simd.h"
+#include "libsmart/kernel/view.h"
+
+namespace smart::SMART_ISA {
+
+enum class HitMode { Closest, Any };
+
+/// Rays in one model's space. Plain arrays: lanes are regrouped and transformed in memory.
+template <int N>
+struct alignas(64) LocalRays {
+    float org[3][N];
+    float dir[3][N];
+};
+
+/// Counts nothing and costs nothing.
+struct NoCounts {
+    void node() {}
+    void leaf() {}
+    void triangle() {}
+    void instance() {}
+};
+
+struct Counts {
+    TraversalCounts* total;
+    void node() { ++total->nodes; }
+    void leaf() { ++total->leaves; }
+    void triangle() { ++total->triangles; }
+    void instance() { ++total->instances; }
+};
+
+/// The state of one query. t is in units of the ray direction as scaled at the start, which no
+/// instance changes. `best` is the far limit until something is hit.
+template <int N, HitMode M, class Counter>
+struct alignas(64) Search {
+    float tNear[N];
+    float best[N];
+    uint32_t triangle[N];
+    uint32_t levels[N];
+    uint32_t path[kMaxLevels][N];
+    uint32_t blocked = 0; ///< HitMode::Any: lanes that met something
+
+    uint32_t currentPath[kMaxLevels];
+    uint32_t currentLevels = 0;
+    Counter counter;
+
+    /// Whether the triangle at hand comes before the one stored for a lane at equal distance:
+    /// the lowest path, a model's own triangles before its children, the lowest triangle.
+    bool precedes(uint32_t candidate, int lane) const {
+        if (triangle[lane] == kNoHit) return true;
+        for (uint32_t l = 0; l < currentLevels && l < levels[lane]; ++l)
+            if (currentPath[l] != path[l][lane]) return currentPath[l] < path[l][lane];
+        if (currentLevels != levels[lane]) return currentLevels < levels[lane];
+        return candidate < triangle[lane];
+    }
+
+    /// Takes a triangle met at t by the lanes `hit`; returns the lanes' new far limits.
+    Real<N> accept(const Mask<N>& hit, const Real<N>& t, const Real<N>& far, uint32_t candidate) {
+        if constexpr (M == HitMode::Any) {
+            blocked |= hit.bits();
+            return far;
+        } else {
+            uint32_t lanes = hit.bits();
+            for (uint32_t ties = (hit & (t == far)).bits(); ties; ties &= ties - 1)
+                if (!precedes(candidate, lowestBit(ties))) lanes &= ~(1u << lowestBit(ties));
+            for (uint32_t rest = lanes; rest; rest &= rest - 1) {
+                const int lane = lowestBit(rest);
+                triangle[lane] = candidate;
+                levels[lane] = currentLevels;
+                for (uint32_t l = 0; l < currentLevels; ++l) path[l][lane] = currentPath[l];
+            }
+            return select(Mask<N>::fromBits(lanes), t, far);
+        }
+    }
+};
+
+} // namespace smart::SMART_ISA

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The few names that the kernels need, over Highway: one group of rays as a value, 16 for packets
+// and 1 for single rays, with the same arithmetic in each lane. A group of 16 takes as many
+// registers as the instruction set needs; what a lane computes does not depend on it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "libsmart/kernel/packet.h"
+
+#ifndef SMART_ISA
+#error "compiled once for each instruction set, with its name in SMART_ISA"
+#endif
+#ifdef __FAST_MATH__
+#error "the kernels rely on IEEE arithmetic"
+#endif
+
+namespace smart::SMART_ISA {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Which lanes; bit i of bits() is lane i.
+template <int N>
+struct Mask;
+/// One float a lane.
+template <int N>
+struct Real;
+
+using Tag = hn::CappedTag<float, kPacketSize>;
+inline constexpr int kRegisterLanes = int(hn::MaxLanes(Tag()));
+inline constexpr int kRegisters = kPacketSize / kRegisterLanes;
+
+template <>
+struct Mask<kPacketSize> {
+    hn::Mask<Tag> m[kRegisters];
+
+    uint32_t bits() const {
+        uint32_t all = 0;
+        for (int i = 0; i < kRegisters; ++i) {
+            uint8_t bytes[8] = {};
+            hn::StoreMaskBits(Tag(), m[i], bytes);
+            const uint32_t lanes = uint32_t(bytes[0]) | uint32_t(bytes[1]) << 8;
+            all |= lanes << (i * kRegisterLanes);
+        }
+        return all;
+    }
+    static Mask fromBits(uint32_t bits) {
+        Mask r;
+        for (int i = 0; i < kRegisters; ++i) {
+            const uint32_t lanes = bits >> (i * kRegisterLanes);
+            const uint8_t bytes[8] = {uint8_t(lanes), uint8_t(lanes >> 8)};
+            r.m[i] = hn::LoadMaskBits(Tag(), bytes);
+        }
+        return r;
+    }
+};
+
+template <>
+struct Real<kPacketSize> {
+    hn::Vec<Tag> v[kRegisters];
+
+    Real() = default;
+    explicit Real(float x) {
+        for (int i = 0; i < kRegisters; ++i) v[i] = hn::Set(Tag(), x);
+    }
+    static Real load(const float* aligned) {
+        Real r;
+        for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::Load(Tag(), aligned + i * kRegisterLanes);
+        return r;
+    }
+    void store(float* aligned) const {
+        for (int i = 0; i < kRegisters; ++i) hn::Store(v[i], Tag(), aligned + i * kRegisterLanes);
+    }
+};
+
+#define SMART_LANEWISE(Result, name, field, expression)                                  \
+    inline Result<kPacketSize> name(const Real<kPacketSize>& a, const Real<kPacketSize>& b) { \
+        Result<kPacketSize> r;                                                           \
+        for (int i = 0; i < kRegisters; ++i) r.field[i] = expression(a.v[i], b.v[i]);    \
+        return r;                                                                        \
+    }
+SMART_LANEWISE(Real, operator+, v, hn::Add)
+SMART_LANEWISE(Real, operator-, v, hn::Sub)
+SMART_LANEWISE(Real, operator*, v, hn::Mul)
+SMART_LANEWISE(Real, operator/, v, hn::Div)
+SMART_LANEWISE(Real, min, v, hn::Min)
+SMART_LANEWISE(Real, max, v, hn::Max)
+SMART_LANEWISE(Mask, operator<, m, hn::Lt)
+SMART_LANEWISE(Mask, operator<=, m, hn::Le)
+SMART_LANEWISE(Mask, operator>, m, hn::Gt)
+SMART_LANEWISE(Mask, operator>=, m, hn::Ge)
+SMART_LANEWISE(Mask, operator==, m, hn::Eq)
+SMART_LANEWISE(Mask, operator!=, m, hn::Ne)
+#undef SMART_LANEWISE
+
+inline Mask<kPacketSize> operator&(const Mask<kPacketSize>& a, const Mask<kPacketSize>& b) {
+    Mask<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) r.m[i] = hn::And(a.m[i], b.m[i]);
+    return r;
+}
+inline Mask<kPacketSize> operator|(const Mask<kPacketSize>& a, const Mask<kPacketSize>& b) {
+    Mask<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) r.m[i] = hn::Or(a.m[i], b.m[i]);
+    return r;
+}
+/// a without b
+inline Mask<kPacketSize> andNot(const Mask<kPacketSize>& a, const Mask<kPacketSize>& b) {
+    Mask<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) r.m[i] = hn::AndNot(b.m[i], a.m[i]);
+    return r;
+}
+inline Real<kPacketSize> select(const Mask<kPacketSize>& m, const Real<kPacketSize>& a,
+                                const Real<kPacketSize>& b) {
+    Real<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::IfThenElse(m.m[i], a.v[i], b.v[i]);
+    return r;
+}
+
+template <>
+struct Mask<1> {
+    bool m;
+
+    uint32_t bits() const { return m ? 1u : 0u; }
+    static Mask fromBits(uint32_t bits) { return {(bits & 1) != 0}; }
+};
+
+template <>
+struct Real<1> {
+    float v;
+
+    Real() = default;
+    explicit Real(float x) : v(x) {}
+    static Real load(const float* p) { return Real(*p); }
+    void store(float* p) const { *p = v; }
+};
+
+inline Real<1> operator+(Real<1> a, Real<1> b) { return Real<1>(a.v + b.v); }
+inline Real<1> operator-(Real<1> a, Real<1> b) { return Real<1>(a.v - b.v); }
+inline Real<1> operator*(Real<1> a, Real<1> b) { return Real<1>(a.v * b.v); }
+inline Real<1> operator/(Real<1> a, Real<1> b) { return Real<1>(a.v / b.v); }
+inline Real<1> min(Real<1> a, Real<1> b) { return Real<1>(a.v < b.v ? a.v : b.v); }
+inline Real<1> max(Real<1> a, Real<1> b) { return Real<1>(a.v > b.v ? a.v : b.v); }
+inline Mask<1> operator<(Real<1> a, Real<1> b) { return {a.v < b.v}; }
+inline Mask<1> operator<=(Real<1> a, Real<1> b) { return {a.v <= b.v}; }
+inline Mask<1> operator>(Real<1> a, Real<1> b) { return {a.v > b.v}; }
+inline Mask<1> operator>=(Real<1> a, Real<1> b) { return {a.v >= b.v}; }
+inline Mask<1> operator==(Real<1> a, Real<1> b) { return {a.v == b.v}; }
+inline Mask<1> operator!=(Real<1> a, Real<1> b) { return {a.v != b.v}; }
+inline Mask<1> operator&(Mask<1> a, Mask<1> b) { return {a.m && b.m}; }
+inline Mask<1> operator|(Mask<1> a, Mask<1> b) { return {a.m || b.m}; }
+inline Mask<1> andNot(Mask<1> a, Mask<1> b) { return {a.m && !b.m}; }
+inline Real<1> select(Mask<1> m, Real<1> a, Real<1> b) { return m.m ? a : b; }
+
+template <int N>
+bool any(const Mask<N>& m) {
+    return m.bits() != 0;
+}
+
+inline int lowestBit(uint32_t bits) { return __builtin_ctz(bits); }
+inline float maximum(float a, float b) { return a > b ? a : b; }
+inline float magnitude(float x) { return __builtin_fabsf(x); }
+
+} // namespace smart::SMART_ISA
