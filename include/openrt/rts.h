@@ -48,8 +48,9 @@ typedef struct RTScameraray {
  * cut-off stopped them (the result is black then), 1 otherwise. */
 typedef struct RTSfunctions {
     RTuint structSize;
-    /* Radiance along a ray; weight (0..1) is its share of the pixel, for the cut-off. A ray that
-     * starts at the shaded point never meets the surface it leaves because of rounding. */
+    /* Radiance along a ray; weight (0..1) is its share of the pixel (the state's weight times the
+     * factor that the shader will apply), for the cut-off. A ray that starts at the shaded point
+     * never meets the surface it leaves because of rounding. */
     int (*trace)(RTSstate *state, const float origin[3], const float direction[3], float weight,
                  float radiance[3]);
     int (*traceHit)(RTSstate *state, const float origin[3], const float direction[3],
@@ -118,10 +119,12 @@ typedef struct RTSpixel {
 typedef enum RTSscope { RTS_PER_SHADER = 0, RTS_PER_TRIANGLE = 1, RTS_PER_VERTEX = 2 } RTSscope;
 
 typedef enum RTStype {
-    RTS_INT1 = 1, RTS_INT2, RTS_INT3, /* rtParameter1i, 2i, 3i; also bool and texture ids (1i) */
+    RTS_INT1 = 1, RTS_INT2, RTS_INT3, /* rtParameter1i, 2i, 3i; also texture ids. RTS_INT1 of size
+                                         1 is a bool: any number but 0 is stored as 1 */
     RTS_FLOAT1, RTS_FLOAT2, RTS_FLOAT3, RTS_FLOAT4, RTS_FLOAT16, /* rtParameter1f ... 16fv */
     RTS_RAW,   /* rtParameterRaw: `size` bytes */
-    RTS_STRING /* rtParameterString: a const char * that lives as long as the shader object */
+    RTS_STRING /* rtParameterString: a const char * that lives as long as the shader object;
+                  per shader only */
 } RTStype;
 
 typedef struct RTSparameter {
@@ -142,8 +145,10 @@ typedef struct RTshaderclass {
     RTenum kind;             /* RT_SURFACE_SHADER, RT_ENV_SHADER, RT_LIGHT_SHADER, ... */
     const char *name;
 
-    RTuint shaderSize, triangleSize, vertexSize; /* bytes of the three parameter blocks */
-    RTuint alignment;                            /* of the largest; at most 64 */
+    /* Bytes of the three parameter blocks; the vertex block consists of floats, as it is
+     * interpolated, at most 256 of them. */
+    RTuint shaderSize, triangleSize, vertexSize;
+    RTuint alignment; /* of the shader block, at most 64; the other two blocks get 16 */
     const RTSparameter *parameters;
     RTuint parameterCount;
 

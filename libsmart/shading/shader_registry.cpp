@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/shading/shader_registry.h"
+
+#include <mutex>
+
+#include "libsmart/base/error.h"
+
+namespace smart {
+
+/// Shaders leave it from any thread; everything else happens on the context's.
+struct Shader::Registered {
+    std::mutex mutex;
+    std::vector<Shader*> living; // by index; nullptr: gone
+    bool changed = true;         // since `table` was made
+    std::shared_ptr<const ShaderTable> table;
+};
+
+Shader::Shader(std::shared_ptr<Registered> registered, ShaderClassPtr shaderClass)
+    : registered_(std::move(registered)), class_(std::move(shaderClass)) {
+    const std::lock_guard lock(registered_->mutex);
+    index_ = uint32_t(registered_->living.size());
+    registered_->living.push_back(this);
+    registered_->changed = true;
+}
+
+Shader::~Shader() {
+    const std::lock_guard lock(registered_->mutex);
+    registered_->living[index_] = nullptr;
+    registered_->changed = true;
+}
+
+void Shader::set(uint32_t parameter, std::vector<std::byte> bytes) {
+    const auto refuse = [&](const std::string& reason) {
+        throw Error(ErrorCode::InvalidOperation, "shader class '" + class_->name() + "': " + reason);
+    };
+    if (parameter >= class_->parameterCount()) refuse("no such parameter");
+    const RTSparameter& p = class_->parameter(parameter);
+    const std::string name = "parameter '" + std::string(p.name) + "' ";
+    if (p.scope != RTS_PER_SHADER) refuse(name + "is not per shader");
+    if (p.type != RTS_STRING && bytes.size() != valueSize(p))
+        refuse(name + "takes " + std::to_string(valueSize(p)) + " bytes, not " +
+               std::to_string(bytes.size()));
+    const auto [entry, isNew] = values_.try_emplace(parameter);
+    if (!isNew && entry->second == bytes) return;
+    entry->second = std::move(bytes);
+    const std::lock_guard lock(registered_->mutex);
+    frozen_.reset();
+    registered_->changed = true;
+}
+
+ShaderRegistry::ShaderRegistry() : registered_(std::make_shared<Shader::Registered>()) {
+    defaultSurface_ = create(findBuiltinClass("FixedFunction"));
+}
+
+ShaderRegistry::~ShaderRegistry() = default;
+
+std::shared_ptr<Shader> ShaderRegistry::create(ShaderClassPtr shaderClass) {
+    return std::shared_ptr<Shader>(new Shader(registered_, std::move(shaderClass)));
+}
+
+std::shared_ptr<const ShaderTable> ShaderRegistry::freeze() {
+    const std::lock_guard lock(registered_->mutex);
+    if (!registered_->changed) return registered_->table;
+    auto table = std::make_shared<ShaderTable>(registered_->living.size());
+    for (std::size_t i = 0; i < table->size(); ++i) {
+        Shader* shader = registered_->living[i];
+        if (!shader) continue;
+        if (!shader->frozen_)
+            shader->frozen_ = std::make_shared<const ShaderObject>(shader->class_, shader->values_);
+        (*table)[i] = shader->frozen_;
+    }
+    registered_->table = table;
+    registered_->changed = false;
+    return table;
+}
+
+} // namespace smart
