@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# The Debian 12 packages that building, testing and the demo take. To be sourced.
+packages=(
+    g++ cmake ninja-build pkg-config python3 binutils # to build and to check what was built
+    libglm-dev libhwy-dev                             # the library
+    libtinygltf-dev nlohmann-json3-dev libassimp-dev  # scenes, in the programs
+    libstb-dev libpng-dev libopenexr-dev libcli11-dev # images and command lines, in the programs
+    libglfw3-dev libgl-dev                            # the viewer
+    libgtest-dev libgmp-dev                           # the tests; exact arithmetic as the truth
+    libembree-dev                                     # the benchmark's yardstick
+)
+
+# Installs what is missing; silent if nothing is.
+install_packages() {
+    local missing=() package
+    if ! command -v apt-get >/dev/null; then
+        echo "No apt-get here. What the project needs, as Debian calls it: ${packages[*]}"
+        return 0
+    fi
+    for package in "${packages[@]}"; do
+        if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+            missing+=("$package")
+        fi
+    done
+    if [ ${#missing[@]} -eq 0 ]; then
+        return 0
+    fi
+    local root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        root=(sudo)
+        if ! command -v sudo >/dev/null; then
+            echo "Please install as root: apt-get install ${missing[*]}" >&2
+            return 1
+        fi
+    fi
+    echo "Installing ${missing[*]}"
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
