@@ -91,6 +91,9 @@
 #define RT_OBJECT_SHADERS 0x7F043   /* rtGetObjectiv: shaders of an object by first use */
 #define RT_MAX_OBJECT_DEPTH 0x7F044 /* rtGetIntegerv: how deep objects may nest */
 #define RT_ISA 0x7F045              /* rtGetString: the instruction set of the kernels in use */
+#define RT_SHADER_BINDING 0x7F046       /* rtGetIntegerv: the bound shader */
+#define RT_SHADER_CLASS_BINDING 0x7F047 /* rtGetIntegerv: the bound shader class */
+#define RT_OBJECT_SHADER_COUNT 0x7F048  /* rtGetObjectiv: how many shaders an object uses */
 
 /* Frames (rtFrameStatus, rtSetFrameCallback) */
 #define RT_QUEUED 0x7F050         /* no tile of the frame has been started */

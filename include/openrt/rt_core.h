@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* Start and end, contexts, errors, settings of the library. Part of openrt/rt.h. */
+#ifndef OPENRT_RT_CORE_H
+#define OPENRT_RT_CORE_H
+
+#include "openrt/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Makes a fresh default context and makes it current on the calling thread. A second call ends
+ * the default context of the first. Both pointers may be NULL; otherwise the arguments below are
+ * taken out of argv, and *argcp is lowered:
+ *   --rt-threads N        threads that render, 0 = all cores (environment: OPENRT_THREADS)
+ *   --rt-isa NAME         generic, sse4, avx2, avx512 (environment: OPENRT_ISA)
+ *   --rt-precision NAME   fast or watertight
+ *   --rt-samples N        as rtSamples
+ *   --rt-offscreen N  --rt-output PATTERN  --rt-size WxH   for programs with rtut windows
+ * A bad value prints one line on stderr and is ignored.
+ * Threads: any. Since: 0.1 */
+RTAPI void RTAPIENTRY rtInit(int *argcp, char *argv[]);
+
+/* Waits for the frames in flight and frees every context and every compiled scene of the process.
+ * Legal at any time, also between rtBegin and rtEnd, twice, and without rtInit. A process that
+ * never calls it ends cleanly too.
+ * Threads: any, while no other thread is inside a call. Since: 0.1 */
+RTAPI void RTAPIENTRY rtExit(void);
+
+/* A new context, not current anywhere; NULL if memory ran out. Each context has its own state,
+ * objects and worker threads; these are started by its first frame.
+ * Threads: any; no context needed. Since: 0.1 */
+RTAPI RTcontext RTAPIENTRY rtCreateContext(void);
+
+/* Makes a context current on the calling thread; NULL: none is. RT_TRUE if it is now current.
+ * Errors:  RT_INVALID_VALUE      unknown context
+ *          RT_INVALID_OPERATION  it is current on another thread
+ *          (recorded in the context that stays current)
+ * Threads: any; no context needed. Since: 0.1 */
+RTAPI RTboolean RTAPIENTRY rtMakeCurrent(RTcontext context);
+
+/* Waits for the context's frames and ends it; it is no longer current on this thread. One that is
+ * current on another thread lives until it no longer is. NULL is ignored.
+ * Errors:  RT_INVALID_VALUE  unknown context
+ * Threads: any; no context needed. Since: 0.1 */
+RTAPI void RTAPIENTRY rtDestroyContext(RTcontext context);
+
+/* The context that is current on the calling thread, or NULL.
+ * Threads: any; no context needed. Since: 0.1 */
+RTAPI RTcontext RTAPIENTRY rtGetCurrentContext(void);
+
+/* The first error recorded since the last call, which it clears; RT_NO_ERROR if there was none.
+ * Errors:  RT_INVALID_OPERATION  between rtBegin and rtEnd (returns RT_NO_ERROR there)
+ * Threads: the context's. Since: 0.1 */
+RTAPI RTenum RTAPIENTRY rtGetError(void);
+
+/* The text of the error that rtGetError would return; after it was read, of the one it returned
+ * last. Never NULL; "" if there was none. English, one line, without the function's name. Valid
+ * until the next call on this context. Legal everywhere.
+ * Threads: the context's. Since: 0.1 */
+RTAPI const char *RTAPIENTRY rtGetErrorText(void);
+
+/* Calls cb for every error that this context records, those that rtGetError drops too, on the
+ * thread and during the call that caused it. NULL: none (start). Errors recorded while cb runs
+ * do not call it again. The strings live until cb returns.
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtErrorCallback(void(RTAPIENTRY *cb)(RTenum code, const char *function,
+                                                           const char *text, void *user),
+                                      void *user);
+
+/* Text about the library: RT_VERSION, RT_VENDOR, RT_RENDERER, RT_ISA (the instruction set that
+ * the kernels use: generic, sse4, avx2, avx512 or neon). Lives as long as the library; NULL on
+ * error.
+ * Errors:  RT_INVALID_ENUM  another name
+ * Threads: the context's. Since: 0.1 */
+RTAPI const RTubyte *RTAPIENTRY rtGetString(RTenum name);
+
+/* How many threads render and build for this context, 0 to 1024; 0 = all cores (start, unless
+ * OPENRT_THREADS or --rt-threads says otherwise). Waits for frames in flight.
+ * Errors:  RT_INVALID_VALUE  n above 1024
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtThreads(RTuint n);
+
+/* rtHint(RT_PRECISION_HINT, mode): how exact intersections are; read when a frame is started or
+ * a scene compiled. RT_FASTEST: edges between triangles may let rays through. RT_DONT_CARE
+ * (start): watertight. Not in an object.
+ * Errors:  RT_INVALID_ENUM       target or mode is no such token
+ *          RT_INVALID_OPERATION  RT_NICEST (precise), and OpenGL's own targets: not part of this
+ *                                release
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
