@@ -70,6 +70,12 @@
 #define RT_RGB_32F 0x7F013  /* three floats a pixel: red, green, blue */
 #define RT_RGBA_32F 0x7F014 /* four floats a pixel: red, green, blue, alpha */
 
+/* Internal formats of images with sRGB-encoded bytes (rtTexImage2D), with OpenGL 2.1's values */
+#define RT_SRGB 0x8C40
+#define RT_SRGB8 0x8C41
+#define RT_SRGB_ALPHA 0x8C42
+#define RT_SRGB8_ALPHA8 0x8C43
+
 /* Auxiliary buffers beside the colour (rtSetAuxBuffer); RT_DEPTH, window depth, is OpenGL's */
 #define RT_DISTANCE 0x7F020     /* distance along the primary ray; a miss is infinity */
 #define RT_NORMAL 0x7F021       /* shading normal in world space; a miss is 0 */
