@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/geometry/model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <thread>
+
+#include "libsmart/geometry/model_builder.h"
+#include "tests/support/procedural_meshes.h"
+
+namespace smart {
+namespace {
+
+ModelPtr makeModel(std::vector<Triangle> triangles, std::vector<Instance> children = {}) {
+    ModelBuilder builder;
+    builder.triangles = std::move(triangles);
+    builder.children = std::move(children);
+    return std::move(builder).build();
+}
+
+Instance place(ModelPtr model) {
+    Instance instance;
+    instance.model = std::move(model);
+    return instance;
+}
+
+/// How far the record is from the definition of plane and weights at the point of the triangle
+/// with weights 1 - u - v, u, v: in units of 2^-24 of the terms' size.
+double recordError(const TriangleRecord& record, const Triangle& triangle, double u, double v) {
+    double point[3];
+    for (int k = 0; k < 3; ++k) {
+        point[k] = (1 - u - v) * triangle.v0[k] + u * triangle.v1[k] + v * triangle.v2[k];
+    }
+    const uint32_t k = record.axis;
+    const double p = point[(k + 1) % 3], q = point[(k + 2) % 3];
+    const auto error = [](double a, double b, double c, double expected) {
+        const double size = std::fabs(a) + std::fabs(b) + std::fabs(c) + std::fabs(expected);
+        return std::fabs(a + b + c - expected) / (size * 0x1p-24);
+    };
+    return std::max({error(record.nu * p, record.nv * q, point[k], record.nd),
+                     error(record.bu * p, record.bv * q, record.bd, u),
+                     error(record.cu * p, record.cv * q, record.cd, v)});
+}
+
+TEST(TriangleRecordTest, GivesPlaneAndWeightsOfAnyPointInTheTriangle) {
+    const std::vector<Triangle> triangles = test::triangleSoup(3000, 0.3f, 5);
+    const ModelPtr model = makeModel(triangles);
+    model->prepareFastRecords();
+    const TriangleRecord* records = model->view().records;
+    ASSERT_NE(records, nullptr);
+    std::mt19937 generator(3);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        ASSERT_LT(records[i].axis, 3u);
+        EXPECT_LE(std::fabs(records[i].nu), 1) << "the axis is the dominant one";
+        EXPECT_LE(std::fabs(records[i].nv), 1);
+        for (int point = 0; point < 4; ++point) {
+            const double u = double(generator()) * 0x1p-33, v = double(generator()) * 0x1p-33;
+            EXPECT_LT(recordError(records[i], triangles[i], u, v), 3);
+        }
+    }
+    // Control: a record with two edges exchanged is found out.
+    TriangleRecord wrong = records[0];
+    std::swap(wrong.bu, wrong.cu);
+    EXPECT_GT(recordError(wrong, triangles[0], 0.3, 0.1), 1000);
+}
+
+TEST(TriangleRecordTest, WhatCannotBeHitHasAxis3) {
+    const float inf = std::numeric_limits<float>::infinity();
+    const ModelPtr model = makeModel({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                      {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+                                      {{0, 0, inf}, {1, 0, 0}, {0, 1, 0}},
+                                      {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}});
+    model->prepareFastRecords();
+    EXPECT_EQ(model->view().records[0].axis, 2u);
+    for (int i = 1; i < 4; ++i) EXPECT_EQ(model->view().records[i].axis, 3u);
+}
+
+TEST(ModelTest, RecordsAreMadeOnceHereAndInNestedModels) {
+    const ModelPtr leaf = makeModel(test::icosphere(2));
+    const ModelPtr middle = makeModel({}, {place(leaf), place(leaf)});
+    const ModelPtr top = makeModel(test::icosphere(1), {place(middle), place(leaf)});
+    EXPECT_EQ(leaf->view().records, nullptr);
+    const std::size_t before = leaf->bytes();
+
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) {
+        threads.emplace_back([&, i] {
+            (i % 2 ? top : leaf)->prepareFastRecords();
+            EXPECT_GT(top->bytes(), 0u);
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    const TriangleRecord* records = leaf->view().records;
+    ASSERT_NE(records, nullptr);
+    EXPECT_NE(top->view().records, nullptr);
+    EXPECT_GE(leaf->bytes(), before + leaf->triangles.size() * sizeof(TriangleRecord));
+    middle->prepareFastRecords();
+    EXPECT_EQ(leaf->view().records, records);
+}
+
+TEST(ModelTest, BytesCountWhatIsStored) {
+    ModelBuilder builder;
+    builder.triangles = test::icosphere(2);
+    const std::size_t triangles = builder.triangles.size();
+    builder.shading.normals.resize(1000);
+    builder.shading.firstNormal = 0;
+    const ModelPtr model = std::move(builder).build();
+    const std::size_t least = triangles * sizeof(Triangle) + 1000 * sizeof(glm::vec3) +
+                              model->tree.nodes.size() * sizeof(KdNode) +
+                              model->tree.prims.size() * sizeof(uint32_t);
+    EXPECT_GE(model->bytes(), least);
+    EXPECT_LE(model->bytes(), 2 * least + sizeof(Model));
+}
+
+} // namespace
+} // namespace smart
