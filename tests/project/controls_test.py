@@ -63,7 +63,14 @@ class Layering(unittest.TestCase):
 
     def test_finds_api_header_in_core_and_recorder(self):
         self.assertEqual(len(self.problems(libsmart__shading__a_H='#include "openrt/rt.h"',
-                                           compat__recorder__b_H='#include <openrt/rt.h>')), 2)
+                                           compat__recorder__b_H='#include <openrt/rt.h>',
+                                           libsmart__base__c_H='#include "openrt/rt_core.h"')),
+                         3)
+
+    def test_accepts_types_and_tokens_in_core(self):
+        self.assertEqual(self.problems(libsmart__base__a_H='#include "openrt/types.h"',
+                                       libsmart__base__b_H='#include "openrt/rt_gl_enums_1_1.h"'),
+                         [])
 
     def test_finds_tests_and_samples_included_from_the_library(self):
         self.assertEqual(len(self.problems(libsmart__base__a_H='#include "tests/support/x.h"',
