@@ -76,15 +76,15 @@ void refineHits(const ModelView& scene, const float* const org[3], const float* 
         const double px = d[1][i] * a[2][i] - d[2][i] * a[1][i];
         const double py = d[2][i] * a[0][i] - d[0][i] * a[2][i];
         const double pz = d[0][i] * a[1][i] - d[1][i] * a[0][i];
-        second[i] = (px * e2x + py * e2y + pz * e2z) / den;
-        third[i] = -(px * e1x + py * e1y + pz * e1z) / den;
+        second[i] = -(px * e2x + py * e2y + pz * e2z) / den;
+        third[i] = (px * e1x + py * e1y + pz * e1z) / den;
     }
     for (int i = 0; i < N; ++i) {
         if (triangle[i] == kNoHit) continue;
         // A plane seen edge-on: the float test accepted it, exact arithmetic has no distance.
         const bool defined = distance[i] == distance[i] && second[i] == second[i];
         t[i] = float(clamp(defined ? distance[i] : double(tNear[i]),
-                           maximum(tNear[i], 0.0f), tFar[i]));
+                           tNear[i] > 0 ? tNear[i] : 0.0, tFar[i]));
         u[i] = defined ? float(clamp(second[i], 0, 1)) : 0.0f;
         v[i] = defined ? float(clamp(third[i], 0, 1)) : 0.0f;
     }

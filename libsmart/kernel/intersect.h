@@ -36,7 +36,7 @@ public:
 
     /// Lanes of `active` that meet the triangle's plane inside it, and where. Limits are not
     /// looked at.
-    Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
+    HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
         const Triangle& triangle = triangles_[number];
         const Real<N> az = Real<N>(triangle.v0[kz_]) - oz_;
         const Real<N> bz = Real<N>(triangle.v1[kz_]) - oz_;
@@ -118,7 +118,7 @@ public:
         }
     }
 
-    Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
+    HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
         const TriangleRecord& r = records_[number];
         const uint32_t k = r.axis, ku = (k + 1) % 3, kv = (k + 2) % 3;
         if (k > 2) return Mask<N>::fromBits(0);

@@ -32,13 +32,9 @@ struct TreeRays {
     const RayGroup& group;
 
     TreeRays(const KdView& tree, const LocalRays<N>& rays, const RayGroup& g) : group(g) {
-        alignas(64) float pad[N];
-        for (int i = 0; i < N; ++i) {
-            float scale = tree.maxAbs;
-            for (int k = 0; k < 3; ++k) scale = maximum(scale, magnitude(rays.org[k][i]));
-            pad[i] = scale * 0x1p-21f;
-        }
-        const Real<N> padding = Real<N>::load(pad);
+        Real<N> scale(tree.maxAbs);
+        for (int k = 0; k < 3; ++k) scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
+        const Real<N> padding = scale * Real<N>(0x1p-21f);
         for (int k = 0; k < 3; ++k) {
             const Real<N> org = Real<N>::load(rays.org[k]);
             reciprocal[k] = boundedReciprocal(Real<N>::load(rays.dir[k]));

@@ -6,8 +6,6 @@
 
 namespace smart::SMART_ISA {
 
-inline bool isFinite(float x) { return magnitude(x) <= 0x1.fffffep127f; }
-
 /// 2^-e with 2^e <= x < 2^(e+1), exact in double for every finite x > 0.
 inline double inverseBinade(float x) {
     const double d = x; // a denormal float is a normal double
@@ -26,28 +24,39 @@ template <int N, HitMode M, class Counter>
 uint32_t prepareRays(const float* const org[3], const float* const dir[3], const float* tNear,
                      const float* tFar, uint32_t active, LocalRays<N>& rays,
                      Search<N, M, Counter>& query) {
-    uint32_t legal = 0;
-    for (int i = 0; i < N; ++i) {
-        const float largest = maximum(maximum(magnitude(dir[0][i]), magnitude(dir[1][i])),
-                                      magnitude(dir[2][i]));
-        bool good = (active >> i & 1) && largest > 0 && tNear[i] <= tFar[i] && tFar[i] >= 0;
-        for (int k = 0; k < 3; ++k) good = good && isFinite(org[k][i]) && isFinite(dir[k][i]);
-        for (int k = 0; k < 3; ++k) {
-            rays.org[k][i] = good ? org[k][i] : 0.0f;
-            rays.dir[k][i] = good ? dir[k][i] : 1.0f;
-        }
-        query.tNear[i] = good ? maximum(tNear[i], 0.0f) : 1.0f;
-        query.best[i] = good ? tFar[i] : 0.0f;
-        query.triangle[i] = kNoHit;
-        legal |= uint32_t(good) << i;
-        if (good && !(largest >= 0x1p-16f && largest <= 0x1p16f)) {
-            const double scale = inverseBinade(largest);
+    const Real<N> zero(0.0f), largestFinite(0x1.fffffep127f);
+    const Real<N> near = Real<N>::load(tNear), far = Real<N>::load(tFar);
+    Mask<N> legal = Mask<N>::fromBits(active) & (near <= far) & (far >= zero);
+    Real<N> largest = zero;
+    for (int k = 0; k < 3; ++k) {
+        const Real<N> size = magnitude(Real<N>::load(dir[k]));
+        legal = legal & (size <= largestFinite) &
+                (magnitude(Real<N>::load(org[k])) <= largestFinite);
+        largest = max(largest, size);
+    }
+    legal = legal & (largest > zero);
+    for (int k = 0; k < 3; ++k) {
+        select(legal, Real<N>::load(org[k]), zero).store(rays.org[k]);
+        select(legal, Real<N>::load(dir[k]), Real<N>(1.0f)).store(rays.dir[k]);
+    }
+    select(legal, max(near, zero), Real<N>(1.0f)).store(query.tNear);
+    select(legal, far, zero).store(query.best);
+    Word<N>(kNoHit).store(query.triangle);
+
+    const Mask<N> extreme =
+        legal & ((largest < Real<N>(0x1p-16f)) | (largest > Real<N>(0x1p16f)));
+    if (any(extreme)) {
+        alignas(64) float size[N];
+        largest.store(size);
+        for (uint32_t rest = extreme.bits(); rest; rest &= rest - 1) {
+            const int i = lowestBit(rest);
+            const double scale = inverseBinade(size[i]);
             for (int k = 0; k < 3; ++k) rays.dir[k][i] = float(dir[k][i] * scale);
             query.tNear[i] = float(query.tNear[i] / scale);
             query.best[i] = float(query.best[i] / scale);
         }
     }
-    return legal;
+    return legal.bits();
 }
 
 } // namespace smart::SMART_ISA

@@ -34,7 +34,7 @@ public:
         Real<N> size[3];
         for (int k = 0; k < 3; ++k) {
             negative_[k] = (d[k] < zero).bits();
-            size[k] = max(d[k], zero - d[k]);
+            size[k] = magnitude(d[k]);
         }
         dominant_[0] = ((size[0] >= size[1]) & (size[0] >= size[2])).bits();
         dominant_[1] = (size[1] >= size[2]).bits() & ~dominant_[0];

@@ -36,11 +36,11 @@ struct Counts {
 /// instance changes. `best` is the far limit until something is hit.
 template <int N, HitMode M, class Counter>
 struct alignas(64) Search {
-    float tNear[N];
-    float best[N];
-    uint32_t triangle[N];
-    uint32_t levels[N];
-    uint32_t path[kMaxLevels][N];
+    alignas(4 * N) float tNear[N];
+    alignas(4 * N) float best[N];
+    alignas(4 * N) uint32_t triangle[N];
+    alignas(4 * N) uint32_t levels[N];
+    alignas(4 * N) uint32_t path[kMaxLevels][N];
     uint32_t blocked = 0; ///< HitMode::Any: lanes that met something
 
     uint32_t currentPath[kMaxLevels];
@@ -57,22 +57,31 @@ struct alignas(64) Search {
         return candidate < triangle[lane];
     }
 
+    /// Lanes, of those given, whose stored triangle stays at equal distance.
+    uint32_t outranked(uint32_t candidate, uint32_t lanes) const {
+        uint32_t stay = 0;
+        for (; lanes; lanes &= lanes - 1)
+            if (!precedes(candidate, lowestBit(lanes))) stay |= lanes & (0u - lanes);
+        return stay;
+    }
+
+    static void keep(const Mask<N>& lanes, uint32_t value, uint32_t* kept) {
+        select(lanes, Word<N>(value), Word<N>::load(kept)).store(kept);
+    }
+
     /// Takes a triangle met at t by the lanes `hit`; returns the lanes' new far limits.
     Real<N> accept(const Mask<N>& hit, const Real<N>& t, const Real<N>& far, uint32_t candidate) {
         if constexpr (M == HitMode::Any) {
             blocked |= hit.bits();
             return far;
         } else {
-            uint32_t lanes = hit.bits();
-            for (uint32_t ties = (hit & (t == far)).bits(); ties; ties &= ties - 1)
-                if (!precedes(candidate, lowestBit(ties))) lanes &= ~(1u << lowestBit(ties));
-            for (uint32_t rest = lanes; rest; rest &= rest - 1) {
-                const int lane = lowestBit(rest);
-                triangle[lane] = candidate;
-                levels[lane] = currentLevels;
-                for (uint32_t l = 0; l < currentLevels; ++l) path[l][lane] = currentPath[l];
-            }
-            return select(Mask<N>::fromBits(lanes), t, far);
+            Mask<N> taken = hit;
+            const Mask<N> ties = hit & (t == far);
+            if (any(ties)) taken = andNot(hit, Mask<N>::fromBits(outranked(candidate, ties.bits())));
+            keep(taken, candidate, triangle);
+            keep(taken, currentLevels, levels);
+            for (uint32_t l = 0; l < currentLevels; ++l) keep(taken, currentPath[l], path[l]);
+            return select(taken, t, far);
         }
     }
 };

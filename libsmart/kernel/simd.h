@@ -28,8 +28,12 @@ struct Mask;
 /// One float a lane.
 template <int N>
 struct Real;
+/// One unsigned word a lane; kept, not computed with.
+template <int N>
+struct Word;
 
 using Tag = hn::CappedTag<float, kPacketSize>;
+using WordTag = hn::RebindToUnsigned<Tag>;
 inline constexpr int kRegisterLanes = int(hn::MaxLanes(Tag()));
 inline constexpr int kRegisters = kPacketSize / kRegisterLanes;
 
@@ -38,21 +42,24 @@ struct Mask<kPacketSize> {
     hn::Mask<Tag> m[kRegisters];
 
     uint32_t bits() const {
-        uint32_t all = 0;
+        uint64_t all = 0;
         for (int i = 0; i < kRegisters; ++i) {
-            uint8_t bytes[8] = {};
-            hn::StoreMaskBits(Tag(), m[i], bytes);
-            const uint32_t lanes = uint32_t(bytes[0]) | uint32_t(bytes[1]) << 8;
+            uint64_t lanes = 0;
+            hn::StoreMaskBits(Tag(), m[i], reinterpret_cast<uint8_t*>(&lanes));
             all |= lanes << (i * kRegisterLanes);
         }
-        return all;
+        return uint32_t(all);
+    }
+    bool any() const {
+        hn::Mask<Tag> some = m[0];
+        for (int i = 1; i < kRegisters; ++i) some = hn::Or(some, m[i]);
+        return !hn::AllFalse(Tag(), some);
     }
     static Mask fromBits(uint32_t bits) {
         Mask r;
         for (int i = 0; i < kRegisters; ++i) {
-            const uint32_t lanes = bits >> (i * kRegisterLanes);
-            const uint8_t bytes[8] = {uint8_t(lanes), uint8_t(lanes >> 8)};
-            r.m[i] = hn::LoadMaskBits(Tag(), bytes);
+            const uint64_t lanes = bits >> (i * kRegisterLanes);
+            r.m[i] = hn::LoadMaskBits(Tag(), reinterpret_cast<const uint8_t*>(&lanes));
         }
         return r;
     }
@@ -73,6 +80,26 @@ struct Real<kPacketSize> {
     }
     void store(float* aligned) const {
         for (int i = 0; i < kRegisters; ++i) hn::Store(v[i], Tag(), aligned + i * kRegisterLanes);
+    }
+};
+
+template <>
+struct Word<kPacketSize> {
+    hn::Vec<WordTag> v[kRegisters];
+
+    Word() = default;
+    explicit Word(uint32_t x) {
+        for (int i = 0; i < kRegisters; ++i) v[i] = hn::Set(WordTag(), x);
+    }
+    static Word load(const uint32_t* aligned) {
+        Word r;
+        for (int i = 0; i < kRegisters; ++i)
+            r.v[i] = hn::Load(WordTag(), aligned + i * kRegisterLanes);
+        return r;
+    }
+    void store(uint32_t* aligned) const {
+        for (int i = 0; i < kRegisters; ++i)
+            hn::Store(v[i], WordTag(), aligned + i * kRegisterLanes);
     }
 };
 
@@ -118,12 +145,25 @@ inline Real<kPacketSize> select(const Mask<kPacketSize>& m, const Real<kPacketSi
     for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::IfThenElse(m.m[i], a.v[i], b.v[i]);
     return r;
 }
+inline Word<kPacketSize> select(const Mask<kPacketSize>& m, const Word<kPacketSize>& a,
+                                const Word<kPacketSize>& b) {
+    Word<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i)
+        r.v[i] = hn::IfThenElse(hn::RebindMask(WordTag(), m.m[i]), a.v[i], b.v[i]);
+    return r;
+}
+inline Real<kPacketSize> magnitude(const Real<kPacketSize>& a) {
+    Real<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::Abs(a.v[i]);
+    return r;
+}
 
 template <>
 struct Mask<1> {
     bool m;
 
     uint32_t bits() const { return m ? 1u : 0u; }
+    bool any() const { return m; }
     static Mask fromBits(uint32_t bits) { return {(bits & 1) != 0}; }
 };
 
@@ -135,6 +175,16 @@ struct Real<1> {
     explicit Real(float x) : v(x) {}
     static Real load(const float* p) { return Real(*p); }
     void store(float* p) const { *p = v; }
+};
+
+template <>
+struct Word<1> {
+    uint32_t v;
+
+    Word() = default;
+    explicit Word(uint32_t x) : v(x) {}
+    static Word load(const uint32_t* p) { return Word(*p); }
+    void store(uint32_t* p) const { *p = v; }
 };
 
 inline Real<1> operator+(Real<1> a, Real<1> b) { return Real<1>(a.v + b.v); }
@@ -153,14 +203,14 @@ inline Mask<1> operator&(Mask<1> a, Mask<1> b) { return {a.m && b.m}; }
 inline Mask<1> operator|(Mask<1> a, Mask<1> b) { return {a.m || b.m}; }
 inline Mask<1> andNot(Mask<1> a, Mask<1> b) { return {a.m && !b.m}; }
 inline Real<1> select(Mask<1> m, Real<1> a, Real<1> b) { return m.m ? a : b; }
+inline Word<1> select(Mask<1> m, Word<1> a, Word<1> b) { return m.m ? a : b; }
+inline Real<1> magnitude(Real<1> a) { return Real<1>(__builtin_fabsf(a.v)); }
 
 template <int N>
 bool any(const Mask<N>& m) {
-    return m.bits() != 0;
+    return m.any();
 }
 
 inline int lowestBit(uint32_t bits) { return __builtin_ctz(bits); }
-inline float maximum(float a, float b) { return a > b ? a : b; }
-inline float magnitude(float x) { return __builtin_fabsf(x); }
 
 } // namespace smart::SMART_ISA
