@@ -28,16 +28,23 @@ public:
             std::vector<std::byte> texels, const TextureOptions& options);
 
     /// RGBA, linear, at texture coordinates (s, t): (0, 0) is the image's lower left corner,
-    /// (1, 1) its upper right one. Wrapping leaves no seam. Not finite: opaque black.
+    /// (1, 1) its upper right one. Wrapping leaves no seam. Mirrored images repeat their border
+    /// texels. Coordinates that are not finite read as opaque black, texels that are NaN as 0.
     glm::vec4 sample(float s, float t) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
     const TextureOptions& options() const { return options_; }
     std::size_t bytes() const { return texels_.size(); }
+    /// The same image, looked up differently.
+    Texture withOptions(const TextureOptions& options) const {
+        Texture other = *this;
+        other.options_ = options;
+        return other;
+    }
 
 private:
-    glm::vec4 texel(int64_t x, int64_t y) const;
+    glm::vec4 texel(uint32_t x, uint32_t y) const;
 
     uint32_t width_, height_, channels_;
     TexelType type_;

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/shading/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <limits>
+
+namespace smart {
+
+namespace {
+
+/// Length 1 whatever the length before; false for zero and what is not finite.
+bool normalizeSafely(glm::dvec3& v) {
+    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    if (!(largest > 0) || !(largest <= std::numeric_limits<double>::max())) return false;
+    v /= largest;
+    v /= std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    return true;
+}
+
+void store(float (&to)[3], const glm::dvec3& from) {
+    for (int k = 0; k < 3; ++k) to[k] = float(from[k]);
+}
+
+glm::dvec3 vertex(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+/// Normals of the model in its own space to the world: times the inverse transpose.
+class NormalMatrix {
+public:
+    explicit NormalMatrix(const glm::dmat4x3& toWorld) {
+        const glm::dvec3 x = toWorld[0], y = toWorld[1], z = toWorld[2];
+        cofactors_ = {glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
+        determinant_ = glm::dot(x, cofactors_[0]);
+    }
+    glm::dvec3 operator()(const glm::dvec3& normal) const {
+        return cofactors_ * normal / determinant_;
+    }
+
+private:
+    glm::dmat3 cofactors_;
+    double determinant_;
+};
+
+/// Attributes of a hit's three vertices, by the rule that what an object did not set comes from
+/// its instance, and what that one's parent did not set either from the instance above it.
+class Corners {
+public:
+    explicit Corners(const HitChain& chain) : chain_(chain), shading_(chain.model->shading) {}
+
+    template <class T>
+    void get(const std::vector<T>& values, uint32_t first, bool InheritedAttributes::*own,
+             T InheritedAttributes::*inherited, T (&corners)[3]) const {
+        for (int i = 0; i < 3; ++i) {
+            const T* value = find(values, first, i);
+            corners[i] = value ? *value : inheritedValue(own, inherited);
+        }
+    }
+    /// nullptr: the vertex has none of its own.
+    template <class T>
+    const T* find(const std::vector<T>& values, uint32_t first, int corner) const {
+        if (values.empty() || first == ShadingData::kNone || shading_.corners.empty())
+            return nullptr;
+        const uint32_t number = shading_.corners[chain_.triangle][std::size_t(corner)];
+        return number < first ? nullptr : &values[number - first];
+    }
+
+private:
+    template <class T>
+    T inheritedValue(bool InheritedAttributes::*own, T InheritedAttributes::*inherited) const {
+        uint32_t level = chain_.levels - 1;
+        while (level > 0 && !(chain_.instances[level]->inherited.*own)) --level;
+        return chain_.instances[level]->inherited.*inherited;
+    }
+
+    const HitChain& chain_;
+    const ShadingData& shading_;
+};
+
+/// Shading normal in the world, as interpolation leaves it; false: no vertex has a normal.
+bool interpolateNormal(const HitChain& chain, const Corners& corners, const glm::dvec3& weights,
+                       glm::dvec3& normal) {
+    const ShadingData& shading = chain.model->shading;
+    const glm::vec3* given[3];
+    for (int i = 0; i < 3; ++i) given[i] = corners.find(shading.normals, shading.firstNormal, i);
+    if (!given[0] && !given[1] && !given[2]) return false;
+    glm::dvec3 geometric(0.0);
+    if (!given[0] || !given[1] || !given[2]) {
+        const Triangle& t = chain.model->triangles[chain.triangle];
+        geometric = glm::cross(vertex(t.v1) - vertex(t.v0), vertex(t.v2) - vertex(t.v0));
+        normalizeSafely(geometric);
+    }
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < 3; ++i) sum += weights[i] * (given[i] ? glm::dvec3(*given[i]) : geometric);
+    normal = NormalMatrix(chain.toWorld)(sum);
+    return true;
+}
+
+void interpolate(const glm::vec4 (&corners)[3], const glm::dvec3& weights, float (&to)[4]) {
+    for (int k = 0; k < 4; ++k)
+        to[k] = float(weights[0] * corners[0][k] + weights[1] * corners[1][k] +
+                      weights[2] * corners[2][k]);
+}
+
+const std::byte* findBlock(const std::vector<uint32_t>& offsets, const std::vector<std::byte>& data,
+                           uint32_t index) {
+    if (offsets.empty() || offsets[index] == ShadingData::kNone) return nullptr;
+    return data.data() + offsets[index];
+}
+
+uint32_t ownShader(const HitChain& chain) {
+    const ShadingData& shading = chain.model->shading;
+    if (shading.shaders.empty()) return 0;
+    return shading.shaders[shading.slots.empty() ? 0 : shading.slots[chain.triangle]];
+}
+
+} // namespace
+
+uint32_t effectiveShader(const HitChain& chain) {
+    uint32_t shader = ownShader(chain);
+    for (uint32_t level = chain.levels; level-- > 0;)
+        if (const auto& replacement = chain.instances[level]->replacement)
+            shader = (*replacement)(shader);
+    return shader;
+}
+
+void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, float t, float u,
+                      float v, RTSstate& state) {
+    glm::dvec3 direction(ray.dir[0], ray.dir[1], ray.dir[2]);
+    const double length = std::sqrt(glm::dot(direction, direction));
+    normalizeSafely(direction);
+    std::memcpy(state.rayOrigin, ray.org, sizeof(state.rayOrigin));
+    store(state.rayDirection, direction);
+    state.rayDistance = float(t * length);
+
+    const glm::dvec3 weights(1.0 - u - v, u, v);
+    store(state.barycentric, weights);
+    store(state.position, weights[0] * chain.worldVertex(0) + weights[1] * chain.worldVertex(1) +
+                              weights[2] * chain.worldVertex(2));
+
+    // Underflow may take the normal of a triangle that is hit: then it faces the ray.
+    glm::dvec3 geometric = chain.worldNormal();
+    if (!normalizeSafely(geometric)) geometric = -direction;
+    store(state.geometricNormal, geometric);
+    state.frontFace = glm::dot(direction, geometric) > 0 ? 0u : 1u;
+
+    const Corners corners(chain);
+    glm::dvec3 normal;
+    if (!interpolateNormal(chain, corners, weights, normal)) normal = geometric;
+    store(state.rawNormal, normal);
+    store(state.shadingNormal, normalizeSafely(normal) ? normal : geometric);
+
+    const ShadingData& shading = chain.model->shading;
+    glm::vec4 values[3];
+    corners.get(shading.texCoords, shading.firstTexCoord, &InheritedAttributes::ownTexCoord,
+                &InheritedAttributes::texCoord, values);
+    interpolate(values, weights, state.texCoord);
+    corners.get(shading.colors, shading.firstColor, &InheritedAttributes::ownColor,
+                &InheritedAttributes::color, values);
+    interpolate(values, weights, state.color);
+
+    state.object = chain.instances[chain.levels - 1]->objectId;
+    state.instance = instance;
+    state.primitive = chain.triangle;
+}
+
+void fillParameterBlocks(const HitChain& chain, const ShaderTable& table,
+                         const ShaderObject& shader, VertexScratch& scratch, RTSstate& state) {
+    const ShaderClass& shaderClass = shader.shaderClass();
+    const RTshaderclass& d = shaderClass.descriptor();
+    state.triangleParam = nullptr;
+    state.vertexParam = nullptr;
+    if (d.triangleSize == 0 && d.vertexSize == 0) return;
+
+    // The model's blocks are those of the class that the triangle was given with.
+    const ShadingData& shading = chain.model->shading;
+    const uint32_t own = ownShader(chain);
+    const bool sameClass =
+        own < table.size() && table[own] && &table[own]->shaderClass() == &shaderClass;
+    if (d.triangleSize) {
+        const std::byte* block =
+            sameClass ? findBlock(shading.triangleBlocks, shading.triangleData, chain.triangle)
+                      : nullptr;
+        state.triangleParam = block ? block : shaderClass.triangleDefaults().data();
+    }
+    if (d.vertexSize) {
+        const std::byte* blocks[3] = {};
+        for (int i = 0; i < 3; ++i) {
+            if (sameClass && !shading.corners.empty())
+                blocks[i] = findBlock(shading.vertexBlocks, shading.vertexData,
+                                      shading.corners[chain.triangle][std::size_t(i)]);
+            if (!blocks[i]) blocks[i] = shaderClass.vertexDefaults().data();
+        }
+        const double w0 = 1.0 - state.barycentric[1] - state.barycentric[2];
+        for (std::size_t at = 0; at < d.vertexSize; at += sizeof(float)) {
+            float a[3];
+            for (int i = 0; i < 3; ++i) std::memcpy(&a[i], blocks[i] + at, sizeof(float));
+            const float value = float(w0 * a[0] + double(state.barycentric[1]) * a[1] +
+                                      double(state.barycentric[2]) * a[2]);
+            std::memcpy(scratch.bytes + at, &value, sizeof(value));
+        }
+        state.vertexParam = scratch.bytes;
+    }
+}
+
+} // namespace smart
