@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
-#include <optional>
+#include <mutex>
 #include <vector>
 
 #include "libsmart/render/framebuffer.h"
@@ -45,11 +44,22 @@ struct Frame {
     Viewport viewport;
     uint32_t samples = 1;
     uint32_t seed = 0;
-    uint32_t recursionLimit = 8;
+    uint32_t recursionLimit = 8; ///< generations of secondary rays; kMaxRecursion at most
     float weightCutoff = 1.0f / 512.0f;
     PixelTarget target;
     /// Keeps what the shaders of models and replacements need alive.
     std::vector<std::shared_ptr<const void>> keepAlive;
+
+    /// Whether some surface shader answers transparency(), so that shadows may be partial. Found
+    /// at the first question. Thread-safe.
+    bool hasTransparency() const;
+
+private:
+    mutable std::once_flag transparencyOnce_;
+    mutable bool transparency_ = false;
 };
+
+/// A larger recursionLimit counts as this: threads have stacks of limited size.
+inline constexpr uint32_t kMaxRecursion = 256;
 
 } // namespace smart

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@ namespace smart {
 struct TileJob {
     std::shared_ptr<const Frame> frame;
     Tile tile;
+    uint64_t ticket = 0; ///< the source's own; workers hand it back as it came
 };
 
 /// The whole contract between those who have work and those who do it: threads, other machines

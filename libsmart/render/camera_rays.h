@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "libsmart/kernel/packet.h"
+#include "libsmart/render/frame.h"
+
+namespace smart {
+
+/// The camera rays of one frame. A pixel's centre is half a pixel off its number, as in OpenGL;
+/// row 0 is at the bottom. The frame has to live as long. Thread-safe.
+class CameraRays {
+public:
+    explicit CameraRays(const Frame& frame);
+
+    /// Whether the viewport covers a pixel.
+    bool covers(uint32_t x, uint32_t y) const;
+
+    /// The ray through a point given in pixels from the picture's lower left corner; its
+    /// direction has length 1. False where there is none: the camera shader failed or gave a
+    /// ray that is not finite, or the matrix takes the point nowhere.
+    ///
+    /// With the projection matrix as camera, rays start at the eye, with the near and far planes
+    /// as limits, or on the near plane where the matrix has no eye. With a camera shader they
+    /// start where it says.
+    bool make(double x, double y, Ray& ray) const;
+
+    /// Window depth, 0 to 1, of the point at distance t on a ray. A camera shader has no depth
+    /// range: there it is t / (1 + t).
+    float depth(const Ray& ray, float t) const;
+
+private:
+    bool fromMatrix(double x, double y, Ray& ray) const;
+    bool fromShader(double x, double y, Ray& ray) const;
+
+    const Frame& frame_;
+    glm::dvec3 eye_{0.0};
+    bool hasEye_ = false;
+};
+
+} // namespace smart

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/render/worker.h"
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <string>
+#include <system_error>
+
+#if defined(__linux__)
+#include <pthread.h>
+#include <sched.h>
+#endif
+
+#include "libsmart/base/fp_environment.h"
+
+namespace smart {
+namespace {
+
+// Blocks signals that come from outside while it lives; threads inherit that. Those that a thread
+// raises by its own fault stay: blocked, they would end the process without the host's handler.
+class SignalsBlocked {
+public:
+#if defined(__unix__) || defined(__APPLE__)
+    SignalsBlocked() {
+        sigset_t blocked;
+        sigfillset(&blocked);
+        for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS})
+            sigdelset(&blocked, own);
+        pthread_sigmask(SIG_BLOCK, &blocked, &previous_);
+    }
+    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
+
+private:
+    sigset_t previous_;
+#else
+    SignalsBlocked() = default;
+#endif
+public:
+    SignalsBlocked(const SignalsBlocked&) = delete;
+    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+};
+
+void nameThisThread([[maybe_unused]] unsigned number) {
+#if defined(__linux__)
+    const std::string name = "openrt-" + std::to_string(number); // the system takes 15 characters
+    pthread_setname_np(pthread_self(), name.substr(0, 15).c_str());
+#endif
+}
+
+} // namespace
+
+void work(TileSource& source, const Tracer& tracer) {
+    TilePixels pixels;
+    while (const auto job = source.next()) {
+        try {
+            tracer.render(*job->frame, job->tile, pixels);
+            source.done(*job, pixels);
+        } catch (...) {
+            source.failed(*job, std::current_exception());
+        }
+    }
+}
+
+ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& tracer) {
+    const SignalsBlocked signalsBlocked;
+    threads_.reserve(threads);
+    for (unsigned i = 0; i < threads; ++i) {
+        try {
+            threads_.emplace_back([&source, &tracer, i] {
+                const FpEnvironment standard;
+                nameThisThread(i);
+                work(source, tracer);
+            });
+        } catch (const std::system_error&) {
+            if (threads_.empty()) throw;
+            break; // the machine has no more to give: fewer do the same work
+        }
+    }
+}
+
+unsigned coreCount() {
+#if defined(__linux__)
+    cpu_set_t mine;
+    if (sched_getaffinity(0, sizeof mine, &mine) == 0) return unsigned(std::max(CPU_COUNT(&mine), 1));
+#endif
+    return std::max(std::thread::hardware_concurrency(), 1u);
+}
+
+} // namespace smart
