@@ -11,82 +11,77 @@ inline double clamp(double x, double low, double high) {
     return x < low ? low : x > high ? high : x;
 }
 
-/// One ray in object space, in double.
-struct DoubleRay {
-    double org[3], dir[3];
+/// Rays in the space of the triangle that each hit, in double.
+template <int N>
+struct alignas(64) DoubleRays {
+    double org[3][N], dir[3][N];
 };
 
-/// Follows the path of a hit; returns its model, and leaves the ray in that model's space.
+/// Follows the path of one lane's hit to its model, taking the lane's ray along.
 template <int N>
 const ModelView& descend(const ModelView& scene, const uint32_t path[][N], uint32_t levels,
-                         int lane, DoubleRay& ray) {
+                         int lane, DoubleRays<N>& rays) {
     const ModelView* model = &scene;
     for (uint32_t l = 0; l < levels; ++l) {
         const InstanceView& instance = model->children[path[l][lane]];
-        if (!instance.identity) {
-            DoubleRay local;
-            for (int k = 0; k < 3; ++k) {
-                const double* m = instance.toObject[k];
-                local.org[k] = m[0] * ray.org[0] + m[1] * ray.org[1] + m[2] * ray.org[2] + m[3];
-                local.dir[k] = m[0] * ray.dir[0] + m[1] * ray.dir[1] + m[2] * ray.dir[2];
-            }
-            ray = local;
-        }
         model = instance.model;
+        if (instance.identity) continue;
+        const double org[3] = {rays.org[0][lane], rays.org[1][lane], rays.org[2][lane]};
+        const double dir[3] = {rays.dir[0][lane], rays.dir[1][lane], rays.dir[2][lane]};
+        for (int k = 0; k < 3; ++k) {
+            const double* m = instance.toObject[k];
+            rays.org[k][lane] = m[0] * org[0] + m[1] * org[1] + m[2] * org[2] + m[3];
+            rays.dir[k][lane] = m[0] * dir[0] + m[1] * dir[1] + m[2] * dir[2];
+        }
     }
     return *model;
 }
 
-/// t = A.(BxC) / den, u = d.(CxA) / den, v = d.(AxB) / den, with A, B, C the vertices as seen
-/// from the origin and den = d.(AxB + BxC + CxA), for the lanes that hit something.
+/// With A the first vertex as seen from the origin, e1 and e2 the edges from it, n = e1 x e2:
+/// t = A.n / d.n, u = (d x A).e2 / d.n, v = (A x d).e1 / d.n. Lanes without a hit get any value.
 template <int N>
 void refineHits(const ModelView& scene, const float* const org[3], const float* const dir[3],
                 const float* tNear, const float* tFar, const uint32_t* triangle,
                 const uint32_t* levels, const uint32_t path[][N], float* t, float* u, float* v) {
-    alignas(64) double a[3][N], b[3][N], c[3][N], d[3][N];
+    DoubleRays<N> rays;
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < N; ++i) {
+            rays.org[k][i] = org[k][i];
+            rays.dir[k][i] = dir[k][i];
+        }
+    alignas(64) float v0[3][N] = {}, v1[3][N] = {}, v2[3][N] = {};
     for (int i = 0; i < N; ++i) {
-        if (triangle[i] == kNoHit) {
-            for (int k = 0; k < 3; ++k) a[k][i] = b[k][i] = c[k][i] = d[k][i] = 0;
-            continue;
-        }
-        DoubleRay ray;
+        if (triangle[i] == kNoHit) continue;
+        const Triangle& found = descend<N>(scene, path, levels[i], i, rays).triangles[triangle[i]];
         for (int k = 0; k < 3; ++k) {
-            ray.org[k] = org[k][i];
-            ray.dir[k] = dir[k][i];
-        }
-        const ModelView& model = descend<N>(scene, path, levels[i], i, ray);
-        const Triangle& tri = model.triangles[triangle[i]];
-        for (int k = 0; k < 3; ++k) {
-            a[k][i] = tri.v0[k] - ray.org[k];
-            b[k][i] = tri.v1[k] - ray.org[k];
-            c[k][i] = tri.v2[k] - ray.org[k];
-            d[k][i] = ray.dir[k];
+            v0[k][i] = found.v0[k];
+            v1[k][i] = found.v1[k];
+            v2[k][i] = found.v2[k];
         }
     }
-    alignas(64) double distance[N], second[N], third[N];
     for (int i = 0; i < N; ++i) {
-        // Edges from the first vertex: products of small differences where the triangle is small.
-        const double e1x = b[0][i] - a[0][i], e1y = b[1][i] - a[1][i], e1z = b[2][i] - a[2][i];
-        const double e2x = c[0][i] - a[0][i], e2y = c[1][i] - a[1][i], e2z = c[2][i] - a[2][i];
+        const double ax = v0[0][i] - rays.org[0][i];
+        const double ay = v0[1][i] - rays.org[1][i];
+        const double az = v0[2][i] - rays.org[2][i];
+        const double e1x = double(v1[0][i]) - v0[0][i], e2x = double(v2[0][i]) - v0[0][i];
+        const double e1y = double(v1[1][i]) - v0[1][i], e2y = double(v2[1][i]) - v0[1][i];
+        const double e1z = double(v1[2][i]) - v0[2][i], e2z = double(v2[2][i]) - v0[2][i];
+        const double dx = rays.dir[0][i], dy = rays.dir[1][i], dz = rays.dir[2][i];
         const double nx = e1y * e2z - e1z * e2y;
         const double ny = e1z * e2x - e1x * e2z;
         const double nz = e1x * e2y - e1y * e2x;
-        const double den = d[0][i] * nx + d[1][i] * ny + d[2][i] * nz;
-        distance[i] = (a[0][i] * nx + a[1][i] * ny + a[2][i] * nz) / den;
-        const double px = d[1][i] * a[2][i] - d[2][i] * a[1][i];
-        const double py = d[2][i] * a[0][i] - d[0][i] * a[2][i];
-        const double pz = d[0][i] * a[1][i] - d[1][i] * a[0][i];
-        second[i] = -(px * e2x + py * e2y + pz * e2z) / den;
-        third[i] = (px * e1x + py * e1y + pz * e1z) / den;
-    }
-    for (int i = 0; i < N; ++i) {
-        if (triangle[i] == kNoHit) continue;
-        // A plane seen edge-on: the float test accepted it, exact arithmetic has no distance.
-        const bool defined = distance[i] == distance[i] && second[i] == second[i];
-        t[i] = float(clamp(defined ? distance[i] : double(tNear[i]),
-                           tNear[i] > 0 ? tNear[i] : 0.0, tFar[i]));
-        u[i] = defined ? float(clamp(second[i], 0, 1)) : 0.0f;
-        v[i] = defined ? float(clamp(third[i], 0, 1)) : 0.0f;
+        const double px = dy * az - dz * ay;
+        const double py = dz * ax - dx * az;
+        const double pz = dx * ay - dy * ax;
+        const double inverse = 1 / (dx * nx + dy * ny + dz * nz);
+        const double distance = (ax * nx + ay * ny + az * nz) * inverse;
+        const double second = (px * e2x + py * e2y + pz * e2z) * inverse;
+        const double third = -(px * e1x + py * e1y + pz * e1z) * inverse;
+        // NaN from a plane seen edge-on: the float test met it, exactly it has no distance.
+        const double from = tNear[i] > 0 ? tNear[i] : 0;
+        t[i] = float(distance == distance ? clamp(distance, from, tFar[i]) : from);
+        u[i] = float(second == second ? clamp(second, 0, 1) : 0);
+        v[i] = float(third == third ? clamp(third, 0, 1) : 0);
     }
 }
 

@@ -140,6 +140,16 @@ double ExactReference::extent() const {
     return side;
 }
 
+std::vector<uint32_t> ExactReference::neighbours(uint32_t triangle) const {
+    std::vector<uint32_t> result;
+    for (uint32_t vertex : vertices_[triangle]) {
+        result.insert(result.end(), around_[vertex].begin(), around_[vertex].end());
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
 void ExactReference::exactCorners(uint32_t triangle, int shift, mpz_class corners[9]) const {
     const auto exact = exact_.find(triangle);
     for (int k = 0; k < 9; ++k) {

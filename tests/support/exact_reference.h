@@ -49,6 +49,9 @@ public:
     /// Not finite, or of no area in exact arithmetic: nothing can hit it.
     bool degenerate(uint32_t triangle) const { return degenerate_[triangle] != 0; }
 
+    /// Triangles that share a corner with this one, itself included.
+    std::vector<uint32_t> neighbours(uint32_t triangle) const;
+
     /// Where the ray's line, at any t, meets one triangle; false if nowhere or along its plane.
     bool crosses(uint32_t triangle, const Ray& ray, ExactCrossing& crossing) const;
     /// The truth for a ray; limits as documented at RayPacket.
