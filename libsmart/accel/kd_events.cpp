@@ -56,15 +56,14 @@ void sortKdEvents(KdEvent* events, std::size_t count, std::vector<KdEvent>& scra
 void mergeKdEvents(KdEvent* list, std::size_t count, const KdEvent* added,
                    std::size_t addedCount) {
     // From the back, so that nothing is overwritten; what lies before the first added event stays.
-    while (addedCount > 0) {
-        if (count > 0 && list[count - 1] > added[addedCount - 1]) {
-            list[count + addedCount - 1] = list[count - 1];
-            --count;
-        } else {
-            list[count + addedCount - 1] = added[addedCount - 1];
-            --addedCount;
-        }
+    while (addedCount > 0 && count > 0) {
+        const KdEvent a = list[count - 1], b = added[addedCount - 1];
+        const bool fromList = a > b;
+        list[count + addedCount - 1] = fromList ? a : b;
+        count -= fromList;
+        addedCount -= !fromList;
     }
+    std::copy_n(added, addedCount, list);
 }
 
 } // namespace smart

@@ -12,6 +12,11 @@ constexpr double kMinThickness = 0x1p-21;
 
 constexpr uint64_t kExtraBatch = 4096; ///< added to the shared counter at once
 
+/// Added references of large cells weigh more: there most meshes have next to none, and those that
+/// have go on so. It ends such a build early.
+constexpr uint32_t kLargeCell = 8192;
+constexpr uint64_t kLargeCellWeight = 4;
+
 /// Costs on one axis, as half area times primitives. The half area of a slice of a cell is a
 /// linear function of its thickness.
 struct SliceCost {
@@ -24,10 +29,33 @@ struct SliceCost {
         face = du * dv;
         rim = du + dv;
     }
-    double operator()(double position, double left, double right) const {
-        return face * (left + right) + rim * ((position - lo) * left + (hi - position) * right);
-    }
+    double leftArea(double position) const { return face + rim * (position - lo); }
+    double rightArea(double position) const { return face + rim * (hi - position); }
 };
+
+/// Steps of the counts left and right of the sweep at an event, by its kind.
+constexpr double kLeftStep[] = {0, 1, 1}, kRightStep[] = {1, 1, 0};
+
+/// Whether primitives that lie in the plane are cheaper in its left child.
+bool isPlanarLeftCheaper(const KdCell& cell, int axis, float position) {
+    double left = 0, planar = 0, right = cell.count;
+    for (const KdEvent *event = cell.lists.events[axis], *end = event + cell.lists.size[axis];
+         event < end && kdEventPosition(*event) <= position; ++event) {
+        const KdEventKind kind = kdEventKind(*event);
+        const bool here = kdEventPosition(*event) == position;
+        if (here && kind == KdEventKind::Start) break;
+        if (here && kind == KdEventKind::Planar) {
+            ++planar;
+        } else {
+            left += kLeftStep[int(kind)];
+        }
+        right -= kRightStep[int(kind)];
+    }
+    const SliceCost cost(cell.box, axis);
+    const double leftArea = cost.leftArea(position), rightArea = cost.rightArea(position);
+    return leftArea * (left + planar) + rightArea * right <
+           leftArea * left + rightArea * (right + planar);
+}
 
 } // namespace
 
@@ -36,48 +64,60 @@ KdPlane findKdPlane(const KdCell& cell, const KdBuildOptions& options) {
     const double area = cell.box.halfArea();
     if (!(area > 0)) return best;
     // Costs are compared as sums of half area times primitives; a plane must beat the leaf.
+    const double count = cell.count;
     const double traversal = double(options.traversalCost) / options.intersectionCost * area;
-    double bestCost = area * cell.count - traversal;
+    double bestCost = area * count - traversal;
 
     for (int axis = 0; axis < 3; ++axis) {
         const SliceCost cost(cell.box, axis);
-        const double thinnest = std::fmax(std::fabs(cost.lo), std::fabs(cost.hi)) * kMinThickness;
+        const double thinnest = std::max(std::fabs(cost.lo), std::fabs(cost.hi)) * kMinThickness;
         const double first = cost.lo + thinnest, last = cost.hi - thinnest;
-        const auto consider = [&](double candidate, float position, bool planarLeft) {
+        const KdEvent* const events = cell.lists.events[axis];
+        const uint32_t size = cell.lists.size[axis];
+
+        // Cut off the empty space before the first box or behind the last.
+        const auto considerEmpty = [&](float position, double fullArea, bool planarLeft) {
+            const double candidate =
+                options.emptyFactor * (fullArea * count + traversal) - traversal;
             if (candidate < bestCost && position > first && position < last) {
                 bestCost = candidate;
                 best = {axis, position, planarLeft};
             }
         };
-        const KdEvent* events = cell.lists.events[axis];
-        const uint32_t size = cell.lists.size[axis];
-
-        // Cut off the empty space before the first box and behind the last.
-        const auto withBonus = [&](double candidate) {
-            return options.emptyFactor * (candidate + traversal) - traversal;
-        };
         const float front = kdEventPosition(events[0]), back = kdEventPosition(events[size - 1]);
-        consider(withBonus(cost(front, 0, cell.count)), front, false);
-        consider(withBonus(cost(back, cell.count, 0)), back, true);
+        considerEmpty(front, cost.rightArea(front), false);
+        considerEmpty(back, cost.leftArea(back), true);
 
-        // Sweep: a box that ends here counts left only, one that starts here right only. While
-        // several boxes start or end in one place the cost is first over-estimated, then right.
-        int64_t left = 0, right = cell.count;
-        for (uint32_t i = 0; i < size; ++i) {
+        // Sweep, with the counts before and after each event. In the middle of several events in
+        // one place the cost is over-estimated; their first or last gives it right. No branches:
+        // which candidate is better can not be predicted.
+        double left = 0, right = count;
+        uint32_t i = 0;
+        for (; i < size && kdEventPosition(events[i]) <= first; ++i) {
+            left += kLeftStep[int(kdEventKind(events[i]))];
+            right -= kRightStep[int(kdEventKind(events[i]))];
+        }
+        uint32_t end = size;
+        while (end > i && kdEventPosition(events[end - 1]) >= last) --end;
+        uint32_t bestIndex = size;
+        for (; i < end; ++i) {
             const KdEvent event = events[i];
-            const float position = kdEventPosition(event);
-            const KdEventKind kind = kdEventKind(event);
-            if (kind == KdEventKind::Planar) {
-                consider(cost(position, double(left), double(right)), position, false);
-                ++left;
-                --right;
-                consider(cost(position, double(left), double(right)), position, true);
-            } else {
-                right -= kind == KdEventKind::End;
-                consider(cost(position, double(left), double(right)), position,
-                         kind == KdEventKind::Start);
-                left += kind == KdEventKind::Start;
-            }
+            const double position = kdEventPosition(event);
+            const double leftArea = cost.leftArea(position), rightArea = cost.rightArea(position);
+            const double before = leftArea * left + rightArea * right;
+            left += kLeftStep[int(kdEventKind(event))];
+            right -= kRightStep[int(kdEventKind(event))];
+            const double after = leftArea * left + rightArea * right;
+            const double candidate = std::min(before, after);
+            bestIndex = candidate < bestCost ? i : bestIndex;
+            bestCost = std::min(candidate, bestCost);
+        }
+        if (bestIndex < size) {
+            const float position = kdEventPosition(events[bestIndex]);
+            const KdEventKind kind = kdEventKind(events[bestIndex]);
+            best = {axis, position,
+                    kind == KdEventKind::Planar ? isPlanarLeftCheaper(cell, axis, position)
+                                                : kind == KdEventKind::Start};
         }
     }
     return best;
@@ -85,8 +125,8 @@ KdPlane findKdPlane(const KdCell& cell, const KdBuildOptions& options) {
 
 KdSplitter::~KdSplitter() { shared_.extra += extra_; }
 
-void KdSplitter::countExtra(uint64_t added) {
-    extra_ += added;
+void KdSplitter::countExtra(uint64_t added, uint32_t cellCount) {
+    extra_ += cellCount > kLargeCell ? kLargeCellWeight * added : added;
     if (extra_ < kExtraBatch) return;
     if (shared_.extra.fetch_add(extra_) + extra_ > shared_.maxExtra) throw KdTooManyReferences{};
     extra_ = 0;
@@ -184,9 +224,9 @@ bool KdSplitter::split(const KdCell& cell, const std::vector<uint32_t>& ids, KdP
     right.count = rightCount_ + rightClipped_.count;
 
     const uint64_t total = uint64_t(left.count) + right.count;
-    left.allowance = right.allowance = cell.allowance * cell.count / double(std::max<uint64_t>(total, 1));
+    left.allowance = right.allowance = cell.allowance * cell.count / double(total);
     if (left.allowance < 1) return false;
-    if (total > cell.count) countExtra(total - cell.count);
+    if (total > cell.count) countExtra(total - cell.count, cell.count);
 
     left.depth = right.depth = cell.depth + 1;
     right.lists = rightArena.allocate(right.count);

@@ -38,8 +38,8 @@ struct KdBuildShared {
     const KdPrimitives& primitives;
     const KdBuildOptions& options;
     uint32_t maxDepth;
-    uint64_t maxExtra;                   ///< references that splits may add, all together
-    std::atomic<uint64_t> extra{0};      ///< references that splits have added
+    uint64_t maxExtra;              ///< references that splits may add, all together
+    std::atomic<uint64_t> extra{0}; ///< references that splits have added, weighted by cell
 };
 
 /// Splits cells. Owned by one thread; keeps its working memory from one split to the next.
@@ -71,7 +71,7 @@ private:
     void classify(const KdCell& cell, const KdPlane& plane);
     void clipStraddlers(const std::vector<uint32_t>& ids, const Aabb& box, Clipped& clipped);
     void distribute(const KdEventLists& lists, KdCell& left, KdCell& right) const;
-    void countExtra(uint64_t added);
+    void countExtra(uint64_t added, uint32_t cellCount);
 
     KdBuildShared& shared_;
     std::vector<uint8_t> sides_;        ///< by number
@@ -80,7 +80,7 @@ private:
     Clipped leftClipped_, rightClipped_;
     std::vector<KdEvent> sortScratch_;
     uint64_t eventsSwept_ = 0;
-    uint64_t extra_ = 0; ///< not yet added to shared_.extra
+    uint64_t extra_ = 0; ///< weighted, not yet added to shared_.extra
 };
 
 } // namespace smart
