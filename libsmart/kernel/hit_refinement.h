@@ -59,6 +59,7 @@ void refineHits(const ModelView& scene, const float* const org[3], const float* 
             v2[k][i] = found.v2[k];
         }
     }
+    alignas(64) double distance[N], second[N], third[N];
     for (int i = 0; i < N; ++i) {
         const double ax = v0[0][i] - rays.org[0][i];
         const double ay = v0[1][i] - rays.org[1][i];
@@ -74,14 +75,16 @@ void refineHits(const ModelView& scene, const float* const org[3], const float* 
         const double py = dz * ax - dx * az;
         const double pz = dx * ay - dy * ax;
         const double inverse = 1 / (dx * nx + dy * ny + dz * nz);
-        const double distance = (ax * nx + ay * ny + az * nz) * inverse;
-        const double second = (px * e2x + py * e2y + pz * e2z) * inverse;
-        const double third = -(px * e1x + py * e1y + pz * e1z) * inverse;
+        distance[i] = (ax * nx + ay * ny + az * nz) * inverse;
+        second[i] = (px * e2x + py * e2y + pz * e2z) * inverse;
+        third[i] = -(px * e1x + py * e1y + pz * e1z) * inverse;
+    }
+    for (int i = 0; i < N; ++i) {
         // NaN from a plane seen edge-on: the float test met it, exactly it has no distance.
         const double from = tNear[i] > 0 ? tNear[i] : 0;
-        t[i] = float(distance == distance ? clamp(distance, from, tFar[i]) : from);
-        u[i] = float(second == second ? clamp(second, 0, 1) : 0);
-        v[i] = float(third == third ? clamp(third, 0, 1) : 0);
+        t[i] = float(distance[i] == distance[i] ? clamp(distance[i], from, tFar[i]) : from);
+        u[i] = float(second[i] == second[i] ? clamp(second[i], 0, 1) : 0);
+        v[i] = float(third[i] == third[i] ? clamp(third[i], 0, 1) : 0);
     }
 }
 

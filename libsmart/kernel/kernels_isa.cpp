@@ -40,10 +40,11 @@ void run(const ModelView& scene, const RayArrays& in, Search<N, M, Counter>& que
     if (legal) SceneTraversal<Precision, N, M, Counter>::model(scene, rays, legal, query);
 }
 
-template <template <int> class Precision>
-void intersect(const ModelView& scene, const RayPacket& rays, HitPacket& hits) {
+template <template <int> class Precision, class Counter>
+void closestHits(const ModelView& scene, const RayPacket& rays, HitPacket& hits, Counter counter) {
     const RayArrays in(rays);
-    Search<kPacketSize, HitMode::Closest, NoCounts> query;
+    Search<kPacketSize, HitMode::Closest, Counter> query;
+    query.counter = counter;
     run<Precision>(scene, in, query);
     refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query.triangle,
                             query.levels, query.path, hits.t, hits.u, hits.v);
@@ -52,17 +53,14 @@ void intersect(const ModelView& scene, const RayPacket& rays, HitPacket& hits) {
     __builtin_memcpy(hits.path, query.path, sizeof hits.path);
 }
 
+template <template <int> class Precision>
+void intersect(const ModelView& scene, const RayPacket& rays, HitPacket& hits) {
+    closestHits<Precision>(scene, rays, hits, NoCounts());
+}
+
 void intersectCounted(const ModelView& scene, const RayPacket& rays, HitPacket& hits,
                       TraversalCounts& counts) {
-    const RayArrays in(rays);
-    Search<kPacketSize, HitMode::Closest, Counts> query;
-    query.counter.total = &counts;
-    run<Watertight>(scene, in, query);
-    refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query.triangle,
-                            query.levels, query.path, hits.t, hits.u, hits.v);
-    __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
-    __builtin_memcpy(hits.levels, query.levels, sizeof hits.levels);
-    __builtin_memcpy(hits.path, query.path, sizeof hits.path);
+    closestHits<Watertight>(scene, rays, hits, Counts{&counts});
 }
 
 template <template <int> class Precision>

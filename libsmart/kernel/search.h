@@ -25,7 +25,7 @@ struct NoCounts {
 };
 
 struct Counts {
-    TraversalCounts* total;
+    TraversalCounts* total = nullptr;
     void node() { ++total->nodes; }
     void leaf() { ++total->leaves; }
     void triangle() { ++total->triangles; }
@@ -45,7 +45,7 @@ struct alignas(64) Search {
 
     uint32_t currentPath[kMaxLevels];
     uint32_t currentLevels = 0;
-    Counter counter;
+    Counter counter{};
 
     /// Whether the triangle at hand comes before the one stored for a lane at equal distance:
     /// the lowest path, a model's own triangles before its children, the lowest triangle.
