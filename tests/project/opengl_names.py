@@ -17,7 +17,7 @@ from generate_calls import read_table  # noqa: E402
 # Tokens that openrt/enums.h defines itself, with OpenGL's value.
 ALSO_OPENGL = ["NO_ERROR", "BYTE", "UNSIGNED_BYTE", "SHORT", "UNSIGNED_SHORT", "INT",
                "UNSIGNED_INT", "FLOAT", "2_BYTES", "3_BYTES", "4_BYTES", "DOUBLE",
-               "FRAMEBUFFER_SRGB"]
+               "FRAMEBUFFER_SRGB", "SRGB", "SRGB8", "SRGB_ALPHA", "SRGB8_ALPHA8"]
 
 
 def comparison(calls, tokens):
