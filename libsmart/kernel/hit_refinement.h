@@ -76,8 +76,8 @@ void refineHits(const ModelView& scene, const float* const org[3], const float* 
         const double pz = dx * ay - dy * ax;
         const double inverse = 1 / (dx * nx + dy * ny + dz * nz);
         distance[i] = (ax * nx + ay * ny + az * nz) * inverse;
-        second[i] = (px * e2x + py * e2y + pz * e2z) * inverse;
-        third[i] = -(px * e1x + py * e1y + pz * e1z) * inverse;
+        second[i] = -(px * e2x + py * e2y + pz * e2z) * inverse;
+        third[i] = (px * e1x + py * e1y + pz * e1z) * inverse;
     }
     for (int i = 0; i < N; ++i) {
         // NaN from a plane seen edge-on: the float test met it, exactly it has no distance.
