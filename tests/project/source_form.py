@@ -7,6 +7,7 @@ import sys
 from sources import source_files
 
 MAX_LINES = 600
+CXX_FOLDERS = ("libsmart", "compat", "tests")  # elsewhere a .h may be for C
 LICENCE = "SPDX-License-Identifier: MIT"
 
 
@@ -17,8 +18,8 @@ def problems_of(path, text):
         found.append(f"{path}: {len(lines)} lines, more than {MAX_LINES}")
     if not any(LICENCE in line for line in lines[:2]):
         found.append(f"{path}: no licence line ({LICENCE}) at the top")
-    public_c = path.parts[:2] == ("include", "openrt") and path.suffix == ".h"
-    if path.suffix in (".h", ".hpp") and not public_c and "#pragma once" not in lines:
+    own_cxx = path.suffix == ".hpp" or path.suffix == ".h" and path.parts[0] in CXX_FOLDERS
+    if own_cxx and "#pragma once" not in lines:
         found.append(f"{path}: no #pragma once")
     return found
 
