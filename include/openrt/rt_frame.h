@@ -48,7 +48,7 @@ RTAPI void RTAPIENTRY rtSetAuxBuffer(RTenum what, void *memory, RTuint format);
 RTAPI void RTAPIENTRY rtSamples(RTuint n);
 RTAPI void RTAPIENTRY rtSeed(RTuint seed);
 
-/* How deep shaders may trace: a ray of depth n (camera rays: 0) spawns none; 0 to 64, 8 at the
+/* How deep shaders may trace: a ray of depth n (camera rays: 0) spawns none; 0 to 256, 8 at the
  * start. And the share of a pixel, 0 to 1, below which a ray is not traced, 1/512 at the start.
  * Read when a frame is started.
  * Errors:  RT_INVALID_VALUE  out of range

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The exception wall: every call of the C interface is a guard around one line or a few.
+#pragma once
+
+#include <string>
+
+#include "compat/recorder/context.h"
+#include "libsmart/base/error.h"
+#include "openrt/types.h"
+
+
+namespace smart::compat {
+
+RTenum errorToken(ErrorCode code) noexcept;
+
+/// Records the exception being handled in the calling thread's context, if it has one.
+void report(const char* function) noexcept;
+
+/// Records that a function of the interface is not part of this release.
+void refused(const char* function) noexcept;
+
+[[noreturn]] void throwError(ErrorCode code, const std::string& text);
+/// Throws InvalidValue for nullptr.
+void requirePointer(const void* pointer, const char* name);
+
+/// Runs body(context), unless no context is current.
+template <class Body>
+void guarded(const char* function, Body&& body) noexcept {
+    Context* const context = currentContext();
+    if (!context) return;
+    try {
+        body(*context);
+    } catch (...) {
+        report(function);
+    }
+}
+
+/// The same for calls with a result.
+template <class Result, class Body>
+Result guardedOr(Result failure, const char* function, Body&& body) noexcept {
+    Context* const context = currentContext();
+    if (!context) return failure;
+    try {
+        return body(*context);
+    } catch (...) {
+        report(function);
+    }
+    return failure;
+}
+
+} // namespace smart::compat

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "compat/openrt/image_formats.h"
+
+#include "compat/openrt/guard.h"
+
+namespace smart::compat {
+
+namespace {
+
+[[noreturn]] void notInRelease(const char* what) {
+    throwError(ErrorCode::InvalidOperation, std::string(what) + " is not part of this release");
+}
+
+} // namespace
+
+InternalFormat internalFormatOf(RTint format) {
+    switch (format) {
+    case 1:
+    case RT_LUMINANCE:
+    case RT_LUMINANCE4:
+    case RT_LUMINANCE8:
+    case RT_LUMINANCE12:
+    case RT_LUMINANCE16: return {1, false};
+    case 2:
+    case RT_LUMINANCE_ALPHA:
+    case RT_LUMINANCE4_ALPHA4:
+    case RT_LUMINANCE6_ALPHA2:
+    case RT_LUMINANCE8_ALPHA8:
+    case RT_LUMINANCE12_ALPHA4:
+    case RT_LUMINANCE12_ALPHA12:
+    case RT_LUMINANCE16_ALPHA16: return {2, false};
+    case 3:
+    case RT_RGB:
+    case RT_R3_G3_B2:
+    case RT_RGB4:
+    case RT_RGB5:
+    case RT_RGB8:
+    case RT_RGB10:
+    case RT_RGB12:
+    case RT_RGB16: return {3, false};
+    case 4:
+    case RT_RGBA:
+    case RT_RGBA2:
+    case RT_RGBA4:
+    case RT_RGB5_A1:
+    case RT_RGBA8:
+    case RT_RGB10_A2:
+    case RT_RGBA12:
+    case RT_RGBA16: return {4, false};
+    case RT_SRGB:
+    case RT_SRGB8: return {3, true};
+    case RT_SRGB_ALPHA:
+    case RT_SRGB8_ALPHA8: return {4, true};
+    case RT_ALPHA:
+    case RT_ALPHA4:
+    case RT_ALPHA8:
+    case RT_ALPHA12:
+    case RT_ALPHA16:
+    case RT_INTENSITY:
+    case RT_INTENSITY4:
+    case RT_INTENSITY8:
+    case RT_INTENSITY12:
+    case RT_INTENSITY16:
+    case RT_DEPTH_COMPONENT:
+    case RT_DEPTH_COMPONENT16:
+    case RT_DEPTH_COMPONENT24:
+    case RT_DEPTH_COMPONENT32:
+    case RT_COMPRESSED_ALPHA:
+    case RT_COMPRESSED_LUMINANCE:
+    case RT_COMPRESSED_LUMINANCE_ALPHA:
+    case RT_COMPRESSED_INTENSITY:
+    case RT_COMPRESSED_RGB:
+    case RT_COMPRESSED_RGBA: notInRelease("this internal format");
+    default: throwError(ErrorCode::InvalidValue, "unknown internal format");
+    }
+}
+
+PixelOrder pixelOrderOf(RTenum format) {
+    switch (format) {
+    case RT_LUMINANCE: return PixelOrder::Luminance;
+    case RT_LUMINANCE_ALPHA: return PixelOrder::LuminanceAlpha;
+    case RT_RGB: return PixelOrder::Rgb;
+    case RT_RGBA: return PixelOrder::Rgba;
+    case RT_BGR: return PixelOrder::Bgr;
+    case RT_BGRA: return PixelOrder::Bgra;
+    case RT_COLOR_INDEX:
+    case RT_STENCIL_INDEX:
+    case RT_DEPTH_COMPONENT:
+    case RT_RED:
+    case RT_GREEN:
+    case RT_BLUE:
+    case RT_ALPHA: notInRelease("this pixel format");
+    default: throwError(ErrorCode::InvalidEnum, "unknown pixel format");
+    }
+}
+
+TexelType texelTypeOf(RTenum type) {
+    switch (type) {
+    case RT_UNSIGNED_BYTE: return TexelType::Byte;
+    case RT_UNSIGNED_SHORT: return TexelType::Short;
+    case RT_FLOAT: return TexelType::Float;
+    case RT_BYTE:
+    case RT_SHORT:
+    case RT_INT:
+    case RT_UNSIGNED_INT:
+    case RT_BITMAP:
+    case RT_UNSIGNED_BYTE_3_3_2:
+    case RT_UNSIGNED_SHORT_4_4_4_4:
+    case RT_UNSIGNED_SHORT_5_5_5_1:
+    case RT_UNSIGNED_INT_8_8_8_8:
+    case RT_UNSIGNED_INT_10_10_10_2:
+    case RT_UNSIGNED_BYTE_2_3_3_REV:
+    case RT_UNSIGNED_SHORT_5_6_5:
+    case RT_UNSIGNED_SHORT_5_6_5_REV:
+    case RT_UNSIGNED_SHORT_4_4_4_4_REV:
+    case RT_UNSIGNED_SHORT_1_5_5_5_REV:
+    case RT_UNSIGNED_INT_8_8_8_8_REV:
+    case RT_UNSIGNED_INT_2_10_10_10_REV: notInRelease("this pixel type");
+    default: throwError(ErrorCode::InvalidEnum, "unknown pixel type");
+    }
+}
+
+TextureWrap textureWrapOf(RTint wrap) {
+    switch (wrap) {
+    case RT_REPEAT: return TextureWrap::Repeat;
+    case RT_CLAMP:
+    case RT_CLAMP_TO_EDGE: return TextureWrap::Clamp;
+    case RT_MIRRORED_REPEAT: return TextureWrap::Mirror;
+    case RT_CLAMP_TO_BORDER: notInRelease("RT_CLAMP_TO_BORDER");
+    default: throwError(ErrorCode::InvalidEnum, "unknown wrap mode");
+    }
+}
+
+TextureFilter magFilterOf(RTint filter) {
+    switch (filter) {
+    case RT_NEAREST: return TextureFilter::Nearest;
+    case RT_LINEAR: return TextureFilter::Linear;
+    default: throwError(ErrorCode::InvalidEnum, "unknown filter");
+    }
+}
+
+void checkMinFilter(RTint filter) {
+    switch (filter) {
+    case RT_NEAREST:
+    case RT_LINEAR:
+    case RT_NEAREST_MIPMAP_NEAREST:
+    case RT_NEAREST_MIPMAP_LINEAR:
+    case RT_LINEAR_MIPMAP_NEAREST:
+    case RT_LINEAR_MIPMAP_LINEAR: return;
+    default: throwError(ErrorCode::InvalidEnum, "unknown filter");
+    }
+}
+
+void checkTextureTarget(RTenum target) {
+    switch (target) {
+    case RT_TEXTURE_2D: return;
+    case RT_TEXTURE_1D:
+    case RT_TEXTURE_3D:
+    case RT_PROXY_TEXTURE_1D:
+    case RT_PROXY_TEXTURE_2D:
+    case RT_PROXY_TEXTURE_3D:
+    case RT_TEXTURE_CUBE_MAP:
+    case RT_TEXTURE_CUBE_MAP_POSITIVE_X:
+    case RT_TEXTURE_CUBE_MAP_NEGATIVE_X:
+    case RT_TEXTURE_CUBE_MAP_POSITIVE_Y:
+    case RT_TEXTURE_CUBE_MAP_NEGATIVE_Y:
+    case RT_TEXTURE_CUBE_MAP_POSITIVE_Z:
+    case RT_TEXTURE_CUBE_MAP_NEGATIVE_Z:
+    case RT_PROXY_TEXTURE_CUBE_MAP: notInRelease("this texture target");
+    default: throwError(ErrorCode::InvalidEnum, "unknown texture target");
+    }
+}
+
+} // namespace smart::compat

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// OpenGL's names of image formats, and what they name inside. Functions throw Error for others.
+#pragma once
+
+#include "compat/recorder/pixel_unpack.h"
+#include "openrt/types.h"
+
+namespace smart::compat {
+
+struct InternalFormat {
+    uint32_t channels;
+    bool srgb;
+};
+InternalFormat internalFormatOf(RTint format);
+PixelOrder pixelOrderOf(RTenum format);
+TexelType texelTypeOf(RTenum type);
+TextureWrap textureWrapOf(RTint wrap);
+/// Checks a value of RT_TEXTURE_MAG_FILTER.
+TextureFilter magFilterOf(RTint filter);
+/// Checks a value of RT_TEXTURE_MIN_FILTER.
+void checkMinFilter(RTint filter);
+/// Throws unless it is RT_TEXTURE_2D.
+void checkTextureTarget(RTenum target);
+
+} // namespace smart::compat

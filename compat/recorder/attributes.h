@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace smart::compat {
+
+/// OpenGL's current values, which vertices latch.
+struct Attributes {
+    glm::vec4 color{1.0f};
+    glm::vec3 normal{0.0f, 0.0f, 1.0f};
+    glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
+};
+
+/// Which of them geometry sets on its own; the others come from its instance.
+struct AttributesGiven {
+    bool color = false, normal = false, texCoord = false;
+};
+
+} // namespace smart::compat

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "compat/recorder/context.h"
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "libsmart/base/error.h"
+#include "libsmart/kernel/kernels.h"
+
+namespace smart::compat {
+
+namespace {
+
+struct Entry {
+    std::shared_ptr<Context> context;
+    std::shared_ptr<std::atomic<bool>> current; ///< on some thread
+};
+
+/// All contexts of the process. Its end waits for their frames.
+struct ContextTable {
+    ContextTable() { // what rendering needs has to end after this
+        kernels();
+        findBuiltinClass("");
+    }
+    std::mutex mutex;
+    std::map<ContextId, Entry> entries;
+    ContextId last = 0;
+    ContextId defaultContext = 0;
+};
+
+ContextTable& table() {
+    static ContextTable contexts;
+    return contexts;
+}
+
+/// Counts destroyAllContexts: what was current before no longer is.
+std::atomic<uint64_t> endings{0};
+
+/// Keeps the calling thread's context. The pointer that the calls read is apart, so that reading
+/// it costs no check for construction.
+struct Holder {
+    Entry entry;
+    ContextId id = 0;
+    ~Holder() { release(); }
+    void release() noexcept;
+};
+thread_local Holder holder;
+thread_local Context* current = nullptr;
+thread_local uint64_t currentSince = 0;
+
+void Holder::release() noexcept {
+    current = nullptr;
+    id = 0;
+    const Entry old = std::exchange(entry, {});
+    if (old.current) *old.current = false;
+} // here the context ends, if it was destroyed before
+
+Entry& find(ContextTable& contexts, ContextId id) {
+    const auto found = contexts.entries.find(id);
+    if (found == contexts.entries.end())
+        throw Error(ErrorCode::InvalidValue, "no such context");
+    return found->second;
+}
+
+} // namespace
+
+Context* currentContext() noexcept {
+    if (!current) return nullptr;
+    if (currentSince != endings.load(std::memory_order_relaxed)) {
+        holder.release();
+        return nullptr;
+    }
+    return current;
+}
+
+ContextId currentContextId() noexcept {
+    return currentContext() ? holder.id : 0;
+}
+
+std::shared_ptr<Context> currentContextShared() noexcept {
+    return currentContext() ? holder.entry.context : nullptr;
+}
+
+ContextId createContext(unsigned threads) {
+    ContextTable& contexts = table();
+    Entry entry{std::make_shared<Context>(threads), std::make_shared<std::atomic<bool>>(false)};
+    const std::lock_guard lock(contexts.mutex);
+    contexts.entries.emplace(contexts.last + 1, std::move(entry));
+    return ++contexts.last;
+}
+
+void makeContextCurrent(ContextId id) {
+    if (id == currentContextId()) return;
+    Entry entry;
+    if (id != 0) {
+        ContextTable& contexts = table();
+        const std::lock_guard lock(contexts.mutex);
+        entry = find(contexts, id);
+        if (entry.current->exchange(true))
+            throw Error(ErrorCode::InvalidOperation, "the context is current on another thread");
+    }
+    holder.release();
+    holder.entry = std::move(entry);
+    holder.id = id;
+    current = holder.entry.context.get();
+    currentSince = endings;
+}
+
+void destroyContext(ContextId id) {
+    Entry old;
+    {
+        ContextTable& contexts = table();
+        const std::lock_guard lock(contexts.mutex);
+        old = find(contexts, id);
+        contexts.entries.erase(id);
+        if (contexts.defaultContext == id) contexts.defaultContext = 0;
+    }
+    if (id == currentContextId()) holder.release();
+}
+
+void resetDefaultContext(unsigned threads) {
+    const ContextId made = createContext(threads);
+    ContextId old = 0;
+    {
+        ContextTable& contexts = table();
+        const std::lock_guard lock(contexts.mutex);
+        old = std::exchange(contexts.defaultContext, made);
+    }
+    makeContextCurrent(made);
+    if (old != 0) destroyContext(old);
+}
+
+void destroyAllContexts() noexcept {
+    std::map<ContextId, Entry> old;
+    {
+        ContextTable& contexts = table();
+        const std::lock_guard lock(contexts.mutex);
+        old.swap(contexts.entries);
+        contexts.defaultContext = 0;
+        ++endings;
+    }
+    currentContext(); // lets go of this thread's
+}
+
+} // namespace smart::compat

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "compat/recorder/error_state.h"
+#include "compat/recorder/frame_driver.h"
+#include "compat/recorder/recorder.h"
+
+namespace smart::compat {
+
+/// Everything that the calls of one thread act on.
+class Context {
+public:
+    explicit Context(unsigned threads) : frames_(recorder_, threads) {}
+
+    Recorder& recorder() { return recorder_; }
+    FrameDriver& frames() { return frames_; }
+    ErrorState& errors() { return errors_; }
+
+private:
+    ErrorState errors_;
+    Recorder recorder_;
+    FrameDriver frames_; // last: its end waits for frames that show what the recorder made
+};
+
+using ContextId = uint64_t; ///< from 1, never used again; 0: none
+
+/// The context current on the calling thread; nullptr: none.
+Context* currentContext() noexcept;
+ContextId currentContextId() noexcept;
+/// The same, kept alive by the result.
+std::shared_ptr<Context> currentContextShared() noexcept;
+
+/// Makes a context that is current nowhere; threads as Renderer has them.
+ContextId createContext(unsigned threads);
+/// Makes a context, or none (0), current on the calling thread. Throws Error for an unknown one
+/// and for one that is current on another thread.
+void makeContextCurrent(ContextId id);
+/// Forgets a context; it ends when it is current nowhere. Throws Error for an unknown one.
+void destroyContext(ContextId id);
+/// Destroys the default context, if there is one, makes another, and makes that current.
+void resetDefaultContext(unsigned threads);
+/// Destroys all contexts; no thread has one afterwards.
+void destroyAllContexts() noexcept;
+
+} // namespace smart::compat

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "compat/recorder/geometry_recording.h"
+
+#include <algorithm>
+#include <new>
+#include <span>
+#include <utility>
+
+#include "libsmart/shading/shader_class.h"
+
+namespace smart::compat {
+
+namespace {
+
+constexpr uint32_t kNone = ShadingData::kNone;
+
+/// Room for n more elements, so that appending them can not fail.
+template <class T>
+void makeRoom(std::vector<T>& vector, std::size_t n) {
+    if (vector.capacity() - vector.size() >= n) return;
+    vector.reserve(std::max(vector.size() + n, 2 * vector.capacity()));
+}
+
+/// Room for the list to be as long as `count` and n more.
+template <class T>
+void makeRoomFrom(std::vector<T>& vector, std::size_t count, std::size_t n) {
+    makeRoom(vector, count - vector.size() + n);
+}
+
+std::size_t aligned(std::size_t bytes) {
+    return (bytes + kBlockAlignment - 1) & ~(kBlockAlignment - 1);
+}
+
+/// Appends a block, aligned, into room made before; returns its offset.
+uint32_t append(std::vector<std::byte>& data, const std::vector<std::byte>& block) noexcept {
+    data.resize(aligned(data.size()));
+    const std::size_t offset = data.size();
+    data.insert(data.end(), block.begin(), block.end());
+    return uint32_t(offset);
+}
+
+bool uses(const std::vector<UsedShader>& list, uint32_t index) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const UsedShader& used) { return used.index == index; });
+}
+
+void store(float (&out)[3], const glm::vec3& v) {
+    for (int k = 0; k < 3; ++k) out[k] = v[k];
+}
+
+} // namespace
+
+void GeometryRecording::reserveVertex(const BoundShader& shader) {
+    constexpr std::size_t kTriangles = PrimitiveAssembler::kMaxTriangles;
+    ShadingData& shading = builder_.shading;
+    const std::size_t triangles = builder_.triangles.size();
+    if (vertexCount_ >= kNone - 1 || triangles >= kNone - 1 - kTriangles) throw std::bad_alloc();
+    makeRoom(positions_, 1);
+    if (given.normal) makeRoom(shading.normals, 1);
+    if (given.texCoord) makeRoom(shading.texCoords, 1);
+    if (given.color) makeRoom(shading.colors, 1);
+    makeRoom(builder_.triangles, kTriangles);
+    makeRoom(shading.corners, kTriangles);
+    makeRoom(shading.slots, kTriangles);
+    makeRoom(shading.shaders, 1);
+    makeRoom(shading.keepAlive, 1);
+    makeRoom(usedShaders_, 1);
+    if (!shader.vertexBlock.empty() || !shading.vertexBlocks.empty()) {
+        makeRoomFrom(shading.vertexBlocks, vertexCount_, 1);
+        makeRoom(shading.vertexData, aligned(shader.vertexBlock.size()) + kBlockAlignment);
+        if (shading.vertexData.capacity() >= kNone) throw std::bad_alloc();
+    }
+    if (!shader.triangleBlock.empty() || !shading.triangleBlocks.empty()) {
+        makeRoomFrom(shading.triangleBlocks, triangles, kTriangles);
+        makeRoom(shading.triangleData, aligned(shader.triangleBlock.size()) + kBlockAlignment);
+        if (shading.triangleData.capacity() >= kNone) throw std::bad_alloc();
+    }
+}
+
+uint32_t GeometryRecording::slotOf(const BoundShader& shader) noexcept {
+    std::vector<uint32_t>& shaders = builder_.shading.shaders;
+    const uint32_t index = shader.shader->index();
+    if (lastSlot_ < shaders.size() && shaders[lastSlot_] == index) return lastSlot_;
+    lastSlot_ = uint32_t(std::find(shaders.begin(), shaders.end(), index) - shaders.begin());
+    if (lastSlot_ == shaders.size()) {
+        shaders.push_back(index);
+        builder_.shading.keepAlive.push_back(shader.shader);
+        if (!uses(usedShaders_, index)) usedShaders_.push_back({index, shader.id});
+    }
+    return lastSlot_;
+}
+
+void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
+                                    const BoundShader& shader) noexcept {
+    ShadingData& shading = builder_.shading;
+    const uint32_t (&corners)[3] = triangle.corners;
+    Triangle& out = builder_.triangles.emplace_back();
+    store(out.v0, positions_[corners[0]]);
+    store(out.v1, positions_[corners[1]]);
+    store(out.v2, positions_[corners[2]]);
+    shading.corners.push_back({corners[0], corners[1], corners[2]});
+    shading.slots.push_back(slotOf(shader));
+
+    if (!shader.triangleBlock.empty()) {
+        shading.triangleBlocks.resize(builder_.triangles.size() - 1, kNone);
+        if (lastTriangleBlock_.stamp != shader.triangleStamp)
+            lastTriangleBlock_ = {shader.triangleStamp,
+                                  append(shading.triangleData, shader.triangleBlock)};
+        shading.triangleBlocks.push_back(lastTriangleBlock_.offset);
+    } else if (!shading.triangleBlocks.empty()) {
+        shading.triangleBlocks.push_back(kNone);
+    }
+}
+
+void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attributes,
+                               const glm::vec3& normal, const BoundShader& shader) {
+    reserveVertex(shader);
+    ShadingData& shading = builder_.shading;
+    const auto latch = [&](bool isGiven, uint32_t& first, auto& values, const auto& value) {
+        if (!isGiven) return;
+        if (first == kNone) first = vertexCount_;
+        values.push_back(value);
+    };
+    latch(given.normal, shading.firstNormal, shading.normals, normal);
+    latch(given.texCoord, shading.firstTexCoord, shading.texCoords, attributes.texCoord);
+    latch(given.color, shading.firstColor, shading.colors, attributes.color);
+    if (!shader.vertexBlock.empty()) {
+        shading.vertexBlocks.resize(vertexCount_, kNone);
+        if (lastVertexBlock_.stamp != shader.vertexStamp)
+            lastVertexBlock_ = {shader.vertexStamp, append(shading.vertexData, shader.vertexBlock)};
+        shading.vertexBlocks.push_back(lastVertexBlock_.offset);
+    } else if (!shading.vertexBlocks.empty()) {
+        shading.vertexBlocks.push_back(kNone);
+    }
+    positions_.push_back(position);
+
+    AssembledTriangle triangles[PrimitiveAssembler::kMaxTriangles];
+    const int count = assembler_.add(vertexCount_++, triangles);
+    for (int i = 0; i < count; ++i) addTriangle(triangles[i], shader);
+}
+
+void GeometryRecording::addChild(Instance child, uint32_t childLevels,
+                                 const std::vector<UsedShader>& shaders) {
+    makeRoom(usedShaders_, shaders.size());
+    builder_.children.push_back(std::move(child));
+    levels_ = std::max(levels_, childLevels + 1);
+    for (const UsedShader& shader : shaders)
+        if (!uses(usedShaders_, shader.index)) usedShaders_.push_back(shader);
+}
+
+ModelPtr GeometryRecording::compile(const KdBuildOptions& options) {
+    // What the model does not need is set aside, and comes back if the build fails.
+    ShadingData& shading = builder_.shading;
+    std::vector<std::array<uint32_t, 3>> corners;
+    std::vector<uint32_t> slots;
+    const bool perVertex = shading.firstNormal != kNone || shading.firstTexCoord != kNone ||
+                           shading.firstColor != kNone || !shading.vertexBlocks.empty();
+    if (!perVertex) corners.swap(shading.corners);
+    if (shading.shaders.size() <= 1) slots.swap(shading.slots);
+    ModelPtr model;
+    try {
+        model = std::move(builder_).build(options);
+    } catch (...) {
+        if (!perVertex) corners.swap(shading.corners);
+        if (shading.shaders.size() <= 1) slots.swap(shading.slots);
+        throw;
+    }
+    *this = GeometryRecording();
+    return model;
+}
+
+} // namespace smart::compat

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "compat/recorder/attributes.h"
+#include "compat/recorder/primitive_assembler.h"
+#include "compat/recorder/shader_catalog.h"
+#include "libsmart/geometry/model_builder.h"
+
+namespace smart::compat {
+
+/// A shader that geometry uses, in order of first use.
+struct UsedShader {
+    uint32_t index; ///< Shader::index()
+    uint32_t id;
+};
+
+/// The geometry of an object under definition or of a run of loose primitives: latches
+/// attributes, shaders and parameters, and compiles them into a model. A function that throws
+/// has changed nothing.
+class GeometryRecording {
+public:
+    bool empty() const { return vertexCount_ == 0 && builder_.children.empty(); }
+    uint32_t triangleCount() const { return uint32_t(builder_.triangles.size()); }
+    const std::vector<UsedShader>& usedShaders() const { return usedShaders_; }
+    uint32_t levels() const { return levels_; }
+
+    /// What the geometry sets on its own: from the next vertex on, it is stored.
+    AttributesGiven given;
+
+    void begin(Primitive primitive) noexcept { assembler_.begin(primitive); }
+    /// `normal` is the attributes' in the geometry's space.
+    void vertex(const glm::vec3& position, const Attributes& attributes, const glm::vec3& normal,
+                const BoundShader& shader);
+    /// Places another model of so many levels.
+    void addChild(Instance child, uint32_t childLevels, const std::vector<UsedShader>& shaders);
+
+    /// Builds the model and empties the recording; one that throws left it as it was.
+    ModelPtr compile(const KdBuildOptions& options);
+
+private:
+    /// A parameter block written last, to be shared as long as its contents stay the same.
+    struct LastBlock {
+        uint64_t stamp = 0;
+        uint32_t offset = 0;
+    };
+    void reserveVertex(const BoundShader& shader);
+    void addTriangle(const AssembledTriangle& triangle, const BoundShader& shader) noexcept;
+    uint32_t slotOf(const BoundShader& shader) noexcept;
+
+    ModelBuilder builder_;
+    PrimitiveAssembler assembler_;
+    std::vector<glm::vec3> positions_;
+    uint32_t vertexCount_ = 0;
+    LastBlock lastTriangleBlock_, lastVertexBlock_;
+    uint32_t lastSlot_ = 0;
+    std::vector<UsedShader> usedShaders_;
+    uint32_t levels_ = 1;
+};
+
+} // namespace smart::compat

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "compat/recorder/geometry_recording.h"
+#include "compat/recorder/memory_counter.h"
+#include "libsmart/scene/scene.h"
+
+namespace smart::compat {
+
+/// Builds the models and scenes of one context, and counts what they take.
+class ModelCompiler {
+public:
+    ModelPtr compile(GeometryRecording& recording);
+    ScenePtr makeScene(std::vector<Instance> instances, Precision precision);
+
+    void setThreads(unsigned threads) { threads_ = threads; }
+    uint64_t modelsBuilt() const { return modelsBuilt_; }
+    double buildSeconds() const { return buildSeconds_; } ///< models and top levels
+    const MemoryCounter& memory() const { return *memory_; }
+
+private:
+    std::shared_ptr<MemoryCounter> memory_ = std::make_shared<MemoryCounter>();
+    unsigned threads_ = 1;
+    uint64_t modelsBuilt_ = 0;
+    double buildSeconds_ = 0;
+};
+
+} // namespace smart::compat

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "compat/recorder/pixel_unpack.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace smart::compat {
+
+namespace {
+
+constexpr int kOne = -1; ///< instead of a source component: the value 1
+
+struct OrderInfo {
+    uint32_t components;
+    int rgba[4]; ///< where red, green, blue and alpha lie
+};
+
+OrderInfo info(PixelOrder order) {
+    switch (order) {
+    case PixelOrder::Luminance: return {1, {0, 0, 0, kOne}};
+    case PixelOrder::LuminanceAlpha: return {2, {0, 0, 0, 1}};
+    case PixelOrder::Rgb: return {3, {0, 1, 2, kOne}};
+    case PixelOrder::Rgba: return {4, {0, 1, 2, 3}};
+    case PixelOrder::Bgr: return {3, {2, 1, 0, kOne}};
+    case PixelOrder::Bgra: break;
+    }
+    return {4, {2, 1, 0, 3}};
+}
+
+void writeOne(TexelType type, std::byte* out) {
+    const float one = 1.0f;
+    if (type == TexelType::Float)
+        std::memcpy(out, &one, sizeof one);
+    else
+        std::memset(out, 0xFF, texelSize(type));
+}
+
+} // namespace
+
+std::size_t texelSize(TexelType type) {
+    switch (type) {
+    case TexelType::Byte: return 1;
+    case TexelType::Short: return 2;
+    case TexelType::Float: break;
+    }
+    return 4;
+}
+
+std::vector<std::byte> unpackImage(const ImageSource& source, const PixelStore& store,
+                                   uint32_t channels) {
+    const std::size_t size = texelSize(source.type);
+    std::vector<std::byte> texels(std::size_t(source.width) * source.height * channels * size);
+    if (!source.pixels) return texels;
+
+    const OrderInfo order = info(source.order);
+    // Which source component fills each channel: luminance [alpha], or red, green, blue [, alpha].
+    int from[4];
+    for (uint32_t c = 0; c < channels; ++c) from[c] = order.rgba[c];
+    if (channels == 2) from[1] = order.rgba[3];
+
+    const std::size_t pixelBytes = order.components * size;
+    const std::size_t rowPixels = store.rowLength ? store.rowLength : source.width;
+    std::size_t rowBytes = rowPixels * pixelBytes;
+    if (size < store.alignment)
+        rowBytes = (rowBytes + store.alignment - 1) / store.alignment * store.alignment;
+    const auto* first = static_cast<const std::byte*>(source.pixels) + store.skipRows * rowBytes +
+                        store.skipPixels * pixelBytes;
+    std::byte* out = texels.data();
+    for (uint32_t y = 0; y < source.height; ++y) {
+        const std::byte* pixel = first + y * rowBytes;
+        for (uint32_t x = 0; x < source.width; ++x, pixel += pixelBytes) {
+            for (uint32_t c = 0; c < channels; ++c, out += size) {
+                if (from[c] == kOne) {
+                    writeOne(source.type, out);
+                    continue;
+                }
+                std::memcpy(out, pixel + std::size_t(from[c]) * size, size);
+                if (store.swapBytes) std::reverse(out, out + size);
+            }
+        }
+    }
+    return texels;
+}
+
+} // namespace smart::compat

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "libsmart/shading/texture.h"
+
+namespace smart::compat {
+
+/// How images lie in the application's memory (OpenGL's unpack state).
+struct PixelStore {
+    uint32_t alignment = 4;
+    uint32_t rowLength = 0; ///< pixels between rows; 0: the image's width
+    uint32_t skipPixels = 0, skipRows = 0;
+    bool swapBytes = false;
+};
+
+enum class PixelOrder : uint8_t { Luminance, LuminanceAlpha, Rgb, Rgba, Bgr, Bgra };
+
+/// An image of the application's, as rtTexImage2D names it.
+struct ImageSource {
+    const void* pixels; ///< nullptr: an image of zeros
+    uint32_t width, height;
+    PixelOrder order;
+    TexelType type;
+};
+
+/// Tightly packed texels of 1 to 4 channels (as Texture has them). Alpha that the source lacks is
+/// 1; the luminance of colours is their red, as in OpenGL.
+std::vector<std::byte> unpackImage(const ImageSource& source, const PixelStore& store,
+                                   uint32_t channels);
+
+std::size_t texelSize(TexelType type);
+
+} // namespace smart::compat

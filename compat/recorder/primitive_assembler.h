@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace smart::compat {
+
+enum class Primitive : uint8_t { Triangles, TriangleStrip, TriangleFan, Quads, QuadStrip, Polygon };
+
+struct AssembledTriangle {
+    uint32_t corners[3]; ///< vertex numbers
+    uint32_t provoking;  ///< vertex number of the primitive that the triangle is a part of
+};
+
+/// Turns the vertices between begin and end into triangles, as they complete them. Every other
+/// triangle of a strip is turned, so that all keep the winding of the first; quads are split
+/// along their first and third vertex, those of strips too.
+class PrimitiveAssembler {
+public:
+    static constexpr int kMaxTriangles = 2; ///< that one vertex can complete
+
+    void begin(Primitive primitive) noexcept;
+    /// Takes a vertex and writes the triangles that it completes; returns how many.
+    int add(uint32_t vertex, AssembledTriangle out[kMaxTriangles]) noexcept;
+
+private:
+    Primitive primitive_ = Primitive::Triangles;
+    uint32_t held_[3] = {}; ///< earlier vertices that may still be needed
+    uint32_t count_ = 0;    ///< vertices since begin, or since the last whole primitive
+    bool odd_ = false;      ///< the strip's next triangle is to be turned
+};
+
+} // namespace smart::compat

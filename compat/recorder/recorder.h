@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "compat/recorder/attributes.h"
+#include "compat/recorder/frame_settings.h"
+#include "compat/recorder/geometry_recording.h"
+#include "compat/recorder/matrix_stack.h"
+#include "compat/recorder/model_compiler.h"
+#include "compat/recorder/pixel_unpack.h"
+#include "compat/recorder/scene_recording.h"
+#include "compat/recorder/shader_catalog.h"
+#include "compat/recorder/texture_store.h"
+
+namespace smart::compat {
+
+enum class ObjectMode : uint8_t { Define, DefineAndInstantiate };
+enum class UniqueShader : uint8_t { Camera, Environment, RenderingObject };
+
+/// The state machine behind the immediate calls: attributes, matrices, objects, and the scene of
+/// the frame under way. Everything it hands on is immutable. Belongs to one context's thread.
+///
+/// Every function checks first and throws Error before it changes anything; when memory runs out
+/// nothing has changed either.
+class Recorder {
+public:
+    // Where the calls stand. Each throws Error (InvalidOperation) if it does not hold.
+    bool insidePrimitive() const { return insidePrimitive_; }
+    bool insideObject() const { return open_ != nullptr; }
+    void requireOutsidePrimitive() const;
+    /// Between neither begin and end nor newObject and endObject.
+    void requireOutsideObject() const;
+
+    // Primitives and attributes.
+    void begin(Primitive primitive);
+    void end();
+    void vertex(const glm::dvec4& position);
+    void color(const glm::vec4& color);
+    void normal(const glm::vec3& normal);
+    void texCoord(const glm::vec4& texCoord);
+    const Attributes& attributes() const { return attributes_; }
+
+    // State; outside primitives.
+    Matrices& matrices() { return requireOutsidePrimitive(), matrices_; }
+    ShaderCatalog& shaders() { return requireOutsidePrimitive(), shaders_; }
+    TextureStore& textures() { return requireOutsidePrimitive(), textures_; }
+    PixelStore& pixelStore() { return requireOutsidePrimitive(), pixelStore_; }
+    BuildHints& buildHints() { return requireOutsidePrimitive(), buildHints_; }
+    FrameSettings& frameSettings() { return requireOutsidePrimitive(), frameSettings_; }
+    const ModelCompiler& compiler() const { return compiler_; }
+    void setBuildThreads(unsigned threads) { compiler_.setThreads(threads); }
+    /// Legal everywhere.
+    void setParameter(uint32_t handle, const ParameterValue& value) {
+        shaders_.setParameter(handle, value);
+    }
+
+    // Objects.
+    uint32_t newObject(ObjectMode mode);
+    void replaceObject(uint32_t id);
+    void endObject();
+    void removeObject(uint32_t id);
+    /// Places an object in the scene, or in the object under definition.
+    void instantiate(uint32_t id);
+    void instantiateWithShader(uint32_t id, uint32_t shader);
+    void instantiateWithShaders(uint32_t id, std::span<const uint32_t> shaders);
+    /// Ids of the shaders of an object in order of first use.
+    const std::vector<UsedShader>& objectShaders(uint32_t id) const;
+
+    // The frame under way.
+    void useLight(uint32_t shader, bool checkTwice);
+    void useUnique(UniqueShader what, uint32_t shader);
+    /// How much was added to the scene under way.
+    uint64_t sceneAdditions() const { return scene_.additions; }
+    /// The scene so far, which stays open.
+    ScenePtr compileScene();
+    /// Everything described so far as a frame; the scene stays open.
+    std::shared_ptr<const Frame> makeFrame(uint64_t id);
+    /// Starts a new, empty scene.
+    void clearScene() noexcept { scene_ = SceneRecording(); }
+
+private:
+    struct Object {
+        ModelPtr model;
+        std::vector<UsedShader> shaders;
+    };
+    struct OpenObject {
+        uint32_t id;
+        ObjectMode mode;
+        GeometryRecording recording;
+        Matrices savedMatrices;
+        Attributes savedAttributes;
+    };
+    const Object& object(uint32_t id) const;
+    void openObject(uint32_t id, ObjectMode mode);
+    /// `shaders`: those that the instance uses in the end.
+    void place(uint32_t id, std::shared_ptr<const ShaderReplacement> replacement,
+               const std::vector<UsedShader>& shaders);
+    /// Appends to the scene, after the loose run under way; `complete` may still fill in the
+    /// instance and is the last step that may fail.
+    template <class Complete>
+    void placeInScene(Instance instance, Complete&& complete);
+    const BoundShaderPtr& surface(uint32_t id) const;
+    std::shared_ptr<Shader> shaderOfKind(uint32_t id, RTenum kind, const char* kindName) const;
+    /// The loose run under way as an instance; the run stays open. Nothing without triangles.
+    std::optional<Instance> looseInstance();
+    std::vector<Instance> allInstances();
+
+    bool insidePrimitive_ = false;
+    Attributes attributes_;
+    bool normalEverGiven_ = false; ///< outside objects
+    Matrices matrices_;
+    ShaderCatalog shaders_;
+    TextureStore textures_;
+    PixelStore pixelStore_;
+    BuildHints buildHints_;
+    FrameSettings frameSettings_;
+    ModelCompiler compiler_;
+
+    std::map<uint32_t, Object> objects_;
+    uint32_t lastObject_ = 0;
+    std::unique_ptr<OpenObject> open_;
+    SceneRecording scene_;
+
+    // Of the model-view matrix that the current primitive began with.
+    glm::dmat3 normalMatrix_{1.0};
+};
+
+} // namespace smart::compat

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The frame under way: what it uses, and how it is frozen.
+#include <algorithm>
+#include <string>
+
+#include "compat/recorder/recorder.h"
+#include "compat/recorder/transforms.h"
+#include "libsmart/base/error.h"
+
+namespace smart::compat {
+
+namespace {
+
+[[noreturn]] void refuse(const char* reason) {
+    throw Error(ErrorCode::InvalidOperation, reason);
+}
+
+void checkTarget(const PixelTarget& target) {
+    if (!target.memory) refuse("no frame buffer is set");
+    if (target.stride == 0) return;
+    if (target.stride < target.width * bytesPerPixel(target.format))
+        refuse("the frame buffer's stride is shorter than a row");
+    const bool bytes = target.format == PixelFormat::Rgb8 || target.format == PixelFormat::Rgba8 ||
+                       target.format == PixelFormat::Bgra8;
+    if (!bytes && target.stride % sizeof(float) != 0)
+        refuse("the frame buffer's stride is no multiple of a float's size");
+}
+
+} // namespace
+
+std::shared_ptr<Shader> Recorder::shaderOfKind(uint32_t id, RTenum kind,
+                                               const char* kindName) const {
+    const BoundShaderPtr& shader = shaders_.shader(id);
+    if (shader->kind() != kind)
+        throw Error(ErrorCode::InvalidOperation,
+                    "shader " + std::to_string(id) + " is not a " + kindName);
+    return shader->shader;
+}
+
+void Recorder::useLight(uint32_t id, bool checkTwice) {
+    requireOutsideObject();
+    std::shared_ptr<Shader> light = shaderOfKind(id, RT_LIGHT_SHADER, "light shader");
+    std::vector<std::shared_ptr<Shader>>& lights = scene_.lights;
+    if (checkTwice && std::find(lights.begin(), lights.end(), light) != lights.end())
+        refuse("the frame has this light already");
+    lights.push_back(std::move(light));
+    ++scene_.additions;
+}
+
+void Recorder::useUnique(UniqueShader what, uint32_t id) {
+    requireOutsideObject();
+    struct Role {
+        RTenum kind;
+        const char* name;
+        std::shared_ptr<Shader>* place;
+    };
+    const Role role = what == UniqueShader::Camera
+                          ? Role{RT_CAMERA_SHADER, "camera shader", &scene_.camera}
+                      : what == UniqueShader::Environment
+                          ? Role{RT_ENV_SHADER, "environment shader", &scene_.environment}
+                          : Role{RT_RENDERING_OBJECT_SHADER, "rendering object",
+                                 &scene_.renderingObject};
+    std::shared_ptr<Shader> shader = shaderOfKind(id, role.kind, role.name);
+    if (*role.place) refuse("the frame has one of this kind already");
+    *role.place = std::move(shader);
+    ++scene_.additions;
+}
+
+ScenePtr Recorder::compileScene() {
+    requireOutsidePrimitive();
+    return compiler_.makeScene(allInstances(), frameSettings_.precision);
+}
+
+std::shared_ptr<const Frame> Recorder::makeFrame(uint64_t id) {
+    requireOutsideObject();
+    const FrameSettings& settings = frameSettings_;
+    checkTarget(settings.target);
+    const auto frame = std::make_shared<Frame>();
+    frame->matrixCamera.projection = matrices_.projection();
+    if (!scene_.camera && !invert(matrices_.projection(), frame->matrixCamera.inverse))
+        refuse("the projection matrix has no inverse, and there is no camera shader");
+
+    frame->id = id;
+    frame->shaders = shaders_.freeze();
+    frame->textures = textures_.freeze();
+    const auto frozen = [&](const std::shared_ptr<Shader>& shader) {
+        return shader ? frame->shaders->at(shader->index()) : nullptr;
+    };
+    for (const auto& light : scene_.lights) frame->lights.push_back(frozen(light));
+    frame->environment = frozen(scene_.environment);
+    frame->camera = frozen(scene_.camera);
+    frame->renderingObject = frozen(scene_.renderingObject);
+
+    frame->clearColor = settings.clearColor;
+    frame->target = settings.target;
+    frame->viewport =
+        settings.viewport.value_or(Viewport{0, 0, settings.target.width, settings.target.height});
+    frame->samples = settings.multisample && settings.samples == 1 ? 4 : settings.samples;
+    frame->seed = settings.seed;
+    frame->recursionLimit = settings.recursionLimit;
+    frame->weightCutoff = settings.weightCutoff;
+    frame->scene = compiler_.makeScene(allInstances(), settings.precision);
+    return frame;
+}
+
+} // namespace smart::compat

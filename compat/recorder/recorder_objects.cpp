@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Objects and instances.
+#include <string>
+#include <utility>
+
+#include "compat/recorder/recorder.h"
+#include "compat/recorder/transforms.h"
+#include "libsmart/base/error.h"
+#include "libsmart/kernel/packet.h"
+
+namespace smart::compat {
+
+const Recorder::Object& Recorder::object(uint32_t id) const {
+    const auto found = objects_.find(id);
+    if (found == objects_.end())
+        throw Error(ErrorCode::InvalidValue, "no object has the id " + std::to_string(id));
+    return found->second;
+}
+
+const std::vector<UsedShader>& Recorder::objectShaders(uint32_t id) const {
+    requireOutsidePrimitive();
+    return object(id).shaders;
+}
+
+uint32_t Recorder::newObject(ObjectMode mode) {
+    requireOutsideObject();
+    if (mode == ObjectMode::DefineAndInstantiate) makeAffine(matrices_.modelView());
+    openObject(lastObject_ + 1, mode);
+    return ++lastObject_;
+}
+
+void Recorder::replaceObject(uint32_t id) {
+    requireOutsideObject();
+    object(id);
+    openObject(id, ObjectMode::Define);
+}
+
+void Recorder::openObject(uint32_t id, ObjectMode mode) {
+    open_ = std::make_unique<OpenObject>(
+        OpenObject{id, mode, GeometryRecording(), matrices_, attributes_});
+    matrices_.enterObject();
+}
+
+void Recorder::endObject() {
+    requireOutsidePrimitive();
+    if (!open_) throw Error(ErrorCode::InvalidOperation, "no object is being defined");
+
+    // Everything that may fail happens before the first change: the entry is made aside, and
+    // compiling comes last.
+    std::map<uint32_t, Object> made;
+    Object& entry = made.try_emplace(open_->id).first->second;
+    entry.shaders = open_->recording.usedShaders();
+    const auto compile = [&](Instance& instance) {
+        entry.model = compiler_.compile(open_->recording);
+        instance.model = entry.model;
+    };
+    Instance instance;
+    if (open_->mode == ObjectMode::DefineAndInstantiate) {
+        instance.toParent = makeAffine(open_->savedMatrices.modelView());
+        instance.objectId = open_->id;
+        const Attributes& attributes = open_->savedAttributes;
+        instance.inherited = {attributes.color, attributes.normal, attributes.texCoord};
+        placeInScene(std::move(instance), compile);
+    } else {
+        compile(instance);
+    }
+    const auto old = objects_.find(open_->id);
+    if (old != objects_.end()) objects_.erase(old);
+    objects_.insert(made.extract(made.begin()));
+    matrices_ = open_->savedMatrices;
+    attributes_ = open_->savedAttributes;
+    open_.reset();
+}
+
+void Recorder::removeObject(uint32_t id) {
+    requireOutsideObject();
+    object(id);
+    objects_.erase(id);
+}
+
+void Recorder::instantiate(uint32_t id) {
+    place(id, nullptr, {});
+}
+
+const BoundShaderPtr& Recorder::surface(uint32_t id) const {
+    const BoundShaderPtr& shader = shaders_.shader(id);
+    if (!shader->isSurface)
+        throw Error(ErrorCode::InvalidOperation,
+                    "shader " + std::to_string(id) + " is not a surface shader");
+    return shader;
+}
+
+void Recorder::instantiateWithShader(uint32_t id, uint32_t shader) {
+    requireOutsidePrimitive();
+    const BoundShaderPtr& by = surface(shader);
+    const auto replacement = std::make_shared<ShaderReplacement>();
+    replacement->all = true;
+    replacement->allBy = by->shader->index();
+    replacement->keepAlive.push_back(by->shader);
+    place(id, replacement, {{by->shader->index(), by->id}});
+}
+
+void Recorder::instantiateWithShaders(uint32_t id, std::span<const uint32_t> shaders) {
+    requireOutsidePrimitive();
+    std::vector<UsedShader> used = object(id).shaders;
+    if (shaders.size() > used.size())
+        throw Error(ErrorCode::InvalidValue, "object " + std::to_string(id) + " has " +
+                                                 std::to_string(used.size()) + " shaders only");
+    const auto replacement = std::make_shared<ShaderReplacement>();
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+        if (shaders[i] == 0) continue;
+        const BoundShaderPtr& by = surface(shaders[i]);
+        replacement->pairs.emplace_back(used[i].index, by->shader->index());
+        replacement->keepAlive.push_back(by->shader);
+        used[i] = {by->shader->index(), by->id};
+    }
+    place(id, replacement, used);
+}
+
+void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> replacement,
+                     const std::vector<UsedShader>& shaders) {
+    requireOutsidePrimitive();
+    if (open_ && open_->id == id)
+        throw Error(ErrorCode::InvalidOperation, "an object can not contain itself");
+    const Object& placed = object(id);
+    Instance instance;
+    instance.model = placed.model;
+    instance.toParent = makeAffine(matrices_.modelView());
+    instance.objectId = id;
+    instance.inherited = {attributes_.color, attributes_.normal, attributes_.texCoord};
+    const bool reshaded = replacement != nullptr;
+    instance.replacement = std::move(replacement);
+    if (!open_) {
+        placeInScene(std::move(instance), [](Instance&) {});
+        return;
+    }
+    if (placed.model->levels + 1 > uint32_t(kMaxLevels))
+        throw Error(ErrorCode::StackOverflow, "objects nest deeper than " +
+                                                  std::to_string(kMaxLevels) + " levels");
+    const AttributesGiven& given = open_->recording.given;
+    instance.inherited.ownColor = given.color;
+    instance.inherited.ownNormal = given.normal;
+    instance.inherited.ownTexCoord = given.texCoord;
+    open_->recording.addChild(std::move(instance), placed.model->levels,
+                              reshaded ? shaders : placed.shaders);
+}
+
+template <class Complete>
+void Recorder::placeInScene(Instance instance, Complete&& complete) {
+    std::optional<Instance> loose = looseInstance();
+    std::vector<Instance>& list = scene_.instances;
+    if (list.capacity() - list.size() < 2) list.reserve(2 * list.capacity() + 2);
+    complete(instance);
+    if (loose) {
+        list.push_back(std::move(*loose));
+        scene_.loose = GeometryRecording();
+    }
+    list.push_back(std::move(instance));
+    ++scene_.additions;
+}
+
+std::optional<Instance> Recorder::looseInstance() {
+    if (scene_.loose.triangleCount() == 0) return std::nullopt;
+    GeometryRecording copy = scene_.loose;
+    Instance instance;
+    instance.model = compiler_.compile(copy);
+    instance.inherited = scene_.looseInherited;
+    return instance;
+}
+
+std::vector<Instance> Recorder::allInstances() {
+    std::vector<Instance> all;
+    all.reserve(scene_.instances.size() + 1);
+    all = scene_.instances;
+    if (std::optional<Instance> loose = looseInstance()) all.push_back(std::move(*loose));
+    return all;
+}
+
+} // namespace smart::compat

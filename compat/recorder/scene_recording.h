@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "compat/recorder/geometry_recording.h"
+#include "libsmart/scene/scene.h"
+
+namespace smart::compat {
+
+/// What the frame under way consists of so far.
+struct SceneRecording {
+    std::vector<Instance> instances;
+    /// Loose primitives since the last instance; their inherited attributes are those current at
+    /// the first vertex.
+    GeometryRecording loose;
+    InheritedAttributes looseInherited;
+
+    std::vector<std::shared_ptr<Shader>> lights;
+    std::shared_ptr<Shader> camera, environment, renderingObject;
+
+    uint64_t additions = 0; ///< calls that added something
+};
+
+} // namespace smart::compat
