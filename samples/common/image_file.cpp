@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "samples/common/image_file.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#ifdef SAMPLES_HAVE_EXR
+#    include <OpenEXR/ImfChannelList.h>
+#    include <OpenEXR/ImfFrameBuffer.h>
+#    include <OpenEXR/ImfHeader.h>
+#    include <OpenEXR/ImfIO.h>
+#    include <OpenEXR/ImfOutputFile.h>
+#    include <Imath/half.h>
+#endif
+
+#ifdef SAMPLES_HAVE_JPEG
+#    define STB_IMAGE_STATIC
+#    define STB_IMAGE_IMPLEMENTATION
+#    define STBI_ONLY_JPEG
+#    define STBI_NO_STDIO
+#    pragma GCC diagnostic push
+#    pragma GCC diagnostic ignored "-Wunused-function"
+#    include <stb/stb_image.h>
+#    pragma GCC diagnostic pop
+#endif
+
+namespace samples {
+namespace {
+
+constexpr uint32_t kMaxSide = 16384; // the library's largest texture
+
+void take(PixelBudget& budget, uint64_t width, uint64_t height) {
+    if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide) {
+        throw LoadError("an image of " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels; 1 to " + std::to_string(kMaxSide) + " a side are accepted");
+    }
+    if (width * height > budget.pixelsLeft) throw LoadError("its images are too large in all");
+    budget.pixelsLeft -= width * height;
+}
+
+Image decodePng(std::span<const uint8_t> bytes, PixelBudget& budget) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    const std::unique_ptr<png_image, decltype(&png_image_free)> cleanUp(&png, &png_image_free);
+    if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
+        throw LoadError(std::string("a broken PNG image: ") + png.message);
+    }
+    take(budget, png.width, png.height);
+    png.format = PNG_FORMAT_RGBA;
+    Image image{png.width, png.height, std::vector<uint8_t>(PNG_IMAGE_SIZE(png))};
+    if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) {
+        throw LoadError(std::string("a broken PNG image: ") + png.message);
+    }
+    return image;
+}
+
+Image decodeJpeg([[maybe_unused]] std::span<const uint8_t> bytes,
+                 [[maybe_unused]] PixelBudget& budget) {
+#ifdef SAMPLES_HAVE_JPEG
+    int width = 0, height = 0, channels = 0;
+    const int size = int(std::min<std::size_t>(bytes.size(), std::size_t(1) << 30));
+    if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) {
+        throw LoadError(std::string("a broken JPEG image: ") + stbi_failure_reason());
+    }
+    take(budget, uint64_t(std::max(width, 0)), uint64_t(std::max(height, 0)));
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+        stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4),
+        &stbi_image_free);
+    if (!pixels) throw LoadError(std::string("a broken JPEG image: ") + stbi_failure_reason());
+    const std::size_t count = std::size_t(width) * std::size_t(height) * 4;
+    return {uint32_t(width), uint32_t(height), {pixels.get(), pixels.get() + count}};
+#else
+    throw LoadError("a JPEG image, and this program was built without stb");
+#endif
+}
+
+} // namespace
+
+Image decodeImage(std::span<const uint8_t> bytes, PixelBudget& budget) {
+    constexpr uint8_t kPng[] = {0x89, 'P', 'N', 'G'};
+    constexpr uint8_t kJpeg[] = {0xFF, 0xD8, 0xFF};
+    const auto beginsWith = [&](std::span<const uint8_t> magic) {
+        return bytes.size() >= magic.size() &&
+               std::equal(magic.begin(), magic.end(), bytes.begin());
+    };
+    if (beginsWith(kPng)) return decodePng(bytes, budget);
+    if (beginsWith(kJpeg)) return decodeJpeg(bytes, budget);
+    throw LoadError("an image that is neither PNG nor JPEG");
+}
+
+std::vector<uint8_t> encodePng(uint32_t width, uint32_t height, uint32_t channels,
+                               std::span<const uint8_t> pixels) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    const std::unique_ptr<png_image, decltype(&png_image_free)> cleanUp(&png, &png_image_free);
+    png.width = width;
+    png.height = height;
+    png.format = channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    // A negative stride turns the rows over.
+    const png_int_32 stride = -png_int_32(width * channels);
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::vector<uint8_t> file(size);
+    if (!png_image_write_to_memory(&png, file.data(), &size, 0, pixels.data(), stride, nullptr)) {
+        throw std::runtime_error(std::string("the PNG can not be made: ") + png.message);
+    }
+    file.resize(size);
+    return file;
+}
+
+#ifdef SAMPLES_HAVE_EXR
+namespace {
+
+class MemoryStream final : public Imf::OStream {
+public:
+    MemoryStream() : OStream("picture") {}
+    void write(const char bytes[], int count) override {
+        if (position_ + std::size_t(count) > bytes_.size()) {
+            bytes_.resize(position_ + std::size_t(count));
+        }
+        std::memcpy(bytes_.data() + position_, bytes, std::size_t(count));
+        position_ += std::size_t(count);
+    }
+    uint64_t tellp() override { return position_; }
+    void seekp(uint64_t position) override { position_ = position; }
+    std::vector<uint8_t> take() { return std::move(bytes_); }
+
+private:
+    std::vector<uint8_t> bytes_;
+    std::size_t position_ = 0;
+};
+
+} // namespace
+
+std::vector<uint8_t> encodeExr(uint32_t width, uint32_t height, std::span<const float> rgba) {
+    std::vector<half> pixels(rgba.size());
+    for (uint32_t y = 0; y < height; ++y) {
+        const auto row = rgba.subspan(std::size_t(height - 1 - y) * width * 4, width * 4);
+        std::transform(row.begin(), row.end(), pixels.begin() + std::ptrdiff_t(y) * width * 4,
+                       [](float v) { return half(v); });
+    }
+    MemoryStream stream;
+    {
+        Imf::Header header{int(width), int(height)};
+        Imf::FrameBuffer frame;
+        const std::size_t pixelBytes = 4 * sizeof(half);
+        const char* names[] = {"R", "G", "B", "A"};
+        for (std::size_t c = 0; c < 4; ++c) {
+            header.channels().insert(names[c], Imf::Channel(Imf::HALF));
+            frame.insert(names[c], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(&pixels[c]),
+                                              pixelBytes, pixelBytes * width));
+        }
+        Imf::OutputFile file(stream, header);
+        file.setFrameBuffer(frame);
+        file.writePixels(int(height));
+    }
+    return stream.take();
+}
+#else
+std::vector<uint8_t> encodeExr(uint32_t, uint32_t, std::span<const float>) {
+    throw std::runtime_error("this program was built without OpenEXR, so it writes no .exr");
+}
+#endif
+
+} // namespace samples

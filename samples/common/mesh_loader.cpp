@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "samples/common/mesh_loader.h"
+
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "samples/common/confined_folder.h"
+#include "samples/common/image_file.h"
+#include "samples/common/ply_header.h"
+
+namespace samples {
+namespace {
+
+constexpr uint64_t kMaxFileBytes = uint64_t(4) << 30;
+
+class MemoryStream final : public Assimp::IOStream {
+public:
+    explicit MemoryStream(std::vector<uint8_t> bytes) : bytes_(std::move(bytes)) {}
+
+    std::size_t Read(void* to, std::size_t size, std::size_t count) override {
+        if (size == 0) return 0;
+        const std::size_t items = std::min(count, (bytes_.size() - position_) / size);
+        std::memcpy(to, bytes_.data() + position_, items * size);
+        position_ += items * size;
+        return items;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        const std::size_t base = origin == aiOrigin_SET   ? 0
+                                 : origin == aiOrigin_CUR ? position_
+                                                          : bytes_.size();
+        if (offset > bytes_.size() - base) return aiReturn_FAILURE;
+        position_ = base + offset;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return position_; }
+    std::size_t FileSize() const override { return bytes_.size(); }
+    void Flush() override {}
+
+private:
+    std::vector<uint8_t> bytes_;
+    std::size_t position_ = 0;
+};
+
+/// What assimp may open: the scene file itself, already read, and files of its folder.
+class ConfinedSystem final : public Assimp::IOSystem {
+public:
+    ConfinedSystem(const std::filesystem::path& scene, std::vector<uint8_t> bytes)
+        : name_(scene.filename().string()), bytes_(std::move(bytes)), folder_(scene) {}
+
+    bool Exists(const char* file) const override {
+        if (file == name_) return true;
+        try {
+            folder_.resolve(file);
+            return true;
+        } catch (const RefusedName& error) {
+            if (!refusal_) refusal_ = error;
+        } catch (const LoadError&) {
+        }
+        return false;
+    }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* file, const char*) override {
+        if (file == name_) return new MemoryStream(bytes_);
+        try {
+            return new MemoryStream(folder_.read(file));
+        } catch (const RefusedName& error) {
+            if (!refusal_) refusal_ = error;
+        } catch (const LoadError&) {
+        }
+        return nullptr;
+    }
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+    const std::string& name() const { return name_; }
+    ConfinedFolder& folder() { return folder_; }
+    const std::optional<RefusedName>& refusal() const { return refusal_; }
+
+private:
+    std::string name_;
+    std::vector<uint8_t> bytes_;
+    ConfinedFolder folder_;
+    mutable std::optional<RefusedName> refusal_;
+};
+
+class MeshReader {
+public:
+    MeshReader(const aiScene& source, ConfinedFolder& folder) : source_(source), folder_(folder) {}
+
+    SceneDescription read() {
+        for (unsigned i = 0; i < source_.mNumMaterials; ++i) readMaterial(*source_.mMaterials[i]);
+        MeshDescription whole;
+        for (unsigned i = 0; i < source_.mNumMeshes; ++i) {
+            MeshPart part = readPart(*source_.mMeshes[i]);
+            if (!part.indices.empty()) whole.parts.push_back(std::move(part));
+        }
+        if (!whole.parts.empty()) {
+            scene_.meshes.push_back(std::move(whole));
+            scene_.instances.emplace_back();
+        }
+        return std::move(scene_);
+    }
+
+private:
+    static glm::vec3 vec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+    MeshPart readPart(const aiMesh& mesh) const {
+        MeshPart part;
+        part.material = mesh.mMaterialIndex < scene_.materials.size() ? int(mesh.mMaterialIndex)
+                                                                      : -1;
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            part.positions.push_back(vec3(mesh.mVertices[i]));
+            if (mesh.HasNormals()) part.normals.push_back(vec3(mesh.mNormals[i]));
+            if (mesh.HasTextureCoords(0)) {
+                // Assimp counts t from the lower edge.
+                const aiVector3D& t = mesh.mTextureCoords[0][i];
+                part.texCoords.emplace_back(t.x, 1.0f - t.y);
+            }
+            if (mesh.HasVertexColors(0)) {
+                const aiColor4D& c = mesh.mColors[0][i];
+                part.colors.emplace_back(c.r, c.g, c.b, c.a);
+            }
+        }
+        for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+            const aiFace& face = mesh.mFaces[i];
+            if (face.mNumIndices != 3) continue;
+            const unsigned* corner = face.mIndices;
+            if (std::max({corner[0], corner[1], corner[2]}) >= mesh.mNumVertices) {
+                throw LoadError("a face refers to a vertex that is not there");
+            }
+            part.indices.insert(part.indices.end(), corner, corner + 3);
+        }
+        return part;
+    }
+
+    void readMaterial(const aiMaterial& source) {
+        MaterialDescription m;
+        aiColor3D diffuse(0.8f, 0.8f, 0.8f), emissive(0, 0, 0);
+        source.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse);
+        source.Get(AI_MATKEY_COLOR_EMISSIVE, emissive);
+        float opacity = 1.0f, shininess = 0.0f;
+        source.Get(AI_MATKEY_OPACITY, opacity);
+        source.Get(AI_MATKEY_SHININESS, shininess);
+        m.baseColor = {diffuse.r, diffuse.g, diffuse.b, opacity};
+        m.emissive = {emissive.r, emissive.g, emissive.b};
+        // The width of a Blinn-Phong highlight as GGX roughness (Walter et al. 2007, eq. 8).
+        m.roughness = std::sqrt(std::sqrt(2.0f / (std::max(shininess, 0.0f) + 2.0f)));
+        if (opacity < 1.0f) m.alphaMode = AlphaMode::Blend;
+        aiString file;
+        if (source.GetTexture(aiTextureType_DIFFUSE, 0, &file) == aiReturn_SUCCESS) {
+            m.baseColorTexture = texture(file.C_Str());
+        }
+        scene_.materials.push_back(m);
+    }
+
+    int texture(std::string name) {
+        // Many files were written on Windows.
+        std::replace(name.begin(), name.end(), '\\', '/');
+        const auto [at, added] = textures_.try_emplace(name, -1);
+        if (!added) return at->second;
+        try {
+            scene_.images.push_back(decodeImage(folder_.read(name), budget_));
+        } catch (const RefusedName&) {
+            throw;
+        } catch (const LoadError& error) {
+            scene_.notes.push_back("a texture is left out: " + std::string(error.what()));
+            return -1;
+        }
+        TextureDescription description;
+        description.image = uint32_t(scene_.images.size() - 1);
+        at->second = int(scene_.textures.size());
+        scene_.textures.push_back(description);
+        return at->second;
+    }
+
+    const aiScene& source_;
+    ConfinedFolder& folder_;
+    SceneDescription scene_;
+    std::map<std::string, int> textures_;
+    PixelBudget budget_;
+};
+
+bool allFinite(const aiScene& scene) {
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene.mMeshes[i];
+        if (!std::all_of(mesh.mVertices, mesh.mVertices + mesh.mNumVertices, [](const auto& v) {
+                return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+            })) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+SceneDescription loadMesh(const std::filesystem::path& path) {
+    std::vector<uint8_t> bytes = readWholeFile(path, kMaxFileBytes);
+    if (bytes.size() >= 3 && std::memcmp(bytes.data(), "ply", 3) == 0) checkPlyHeader(bytes);
+    Assimp::Importer importer;
+    auto* system = new ConfinedSystem(path, std::move(bytes)); // the importer's from here on
+    importer.SetIOHandler(system);
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 45.0f);
+    const aiScene* scene =
+        importer.ReadFile(system->name(), aiProcess_Triangulate | aiProcess_SortByPType);
+    if (system->refusal()) throw *system->refusal();
+    if (!scene) throw LoadError(importer.GetErrorString());
+    // Sorting by place, which smooth normals take, needs numbers.
+    if (allFinite(*scene)) {
+        scene = importer.ApplyPostProcessing(aiProcess_GenSmoothNormals);
+        if (!scene) throw LoadError(importer.GetErrorString());
+    }
+    return MeshReader(*scene, system->folder()).read();
+}
+
+} // namespace samples

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "samples/common/view.h"
+
+namespace samples {
+
+/// A camera that circles around a point, driven by the mouse. Angles in radians, distances as
+/// shares of the picture's height.
+class OrbitCamera {
+public:
+    explicit OrbitCamera(const View& start);
+
+    void orbit(float right, float up);
+    /// Moves eye and target so that the target's depth follows the pointer.
+    void pan(float right, float up);
+    /// Above 1: nearer.
+    void zoom(float factor);
+    void reset() { view_ = start_; }
+    const View& view() const { return view_; }
+
+private:
+    View start_, view_;
+};
+
+} // namespace samples

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <openrt/rt.h>
+
+#include <array>
+#include <vector>
+
+#include "samples/common/scene_description.h"
+#include "samples/common/view.h"
+
+namespace samples {
+
+/// How a scene is lit beyond what its file says.
+struct Lighting {
+    std::vector<glm::vec3> pointLights; ///< added to those of the file
+    float exposure = 1.0f;              ///< factor on all light
+};
+
+/// A scene description as objects, shaders and textures of the current OpenRT context, which
+/// must outlive it. Throws std::runtime_error with the library's text if a call failed.
+class RtScene {
+public:
+    /// `view`: where it will be seen from first; places the light of a scene that has none.
+    RtScene(const SceneDescription& scene, const Bounds& bounds, const View& view,
+            const Lighting& lighting);
+
+    /// Gives the next frame its instances, lights, sky and camera.
+    void describeFrame(const View& view, float aspect) const;
+
+private:
+    struct Instance {
+        RTuint object;
+        double matrix[16];
+    };
+
+    RTuint texture(const SceneDescription& scene, int index, bool srgb);
+    RTuint surface(const SceneDescription& scene, const MaterialDescription& material);
+    RTuint object(const MeshDescription& mesh, const std::vector<RTuint>& shaders);
+    void addLights(const SceneDescription& scene, const Bounds& bounds, const View& view,
+                   const Lighting& lighting);
+    void addSky();
+
+    std::vector<std::array<RTuint, 2>> textures_; ///< by index: [0] linear, [1] sRGB; 0 = not made
+    std::vector<Instance> instances_;
+    std::vector<RTuint> lights_;
+    RTuint sky_ = 0, camera_ = 0;
+    float exposure_;
+};
+
+/// Throws std::runtime_error with the library's text if a call since the last check failed.
+void checkRt();
+
+} // namespace samples

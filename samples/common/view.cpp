@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "samples/common/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace samples {
+
+float Bounds::diagonal() const { return empty() ? 0.0f : glm::length(high - low); }
+
+Bounds boundsOf(const SceneDescription& scene) {
+    std::vector<Bounds> meshBounds;
+    for (const MeshDescription& mesh : scene.meshes) {
+        Bounds& bounds = meshBounds.emplace_back();
+        for (const MeshPart& part : mesh.parts) {
+            for (const glm::vec3& p : part.positions) {
+                if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+                bounds.low = glm::min(bounds.low, p);
+                bounds.high = glm::max(bounds.high, p);
+            }
+        }
+    }
+    Bounds whole;
+    for (const InstanceDescription& instance : scene.instances) {
+        const Bounds& bounds = meshBounds[instance.mesh];
+        if (bounds.empty()) continue;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec4 p(corner & 1 ? bounds.high.x : bounds.low.x,
+                               corner & 2 ? bounds.high.y : bounds.low.y,
+                               corner & 4 ? bounds.high.z : bounds.low.z, 1.0);
+            const glm::vec3 q(instance.transform * p);
+            whole.low = glm::min(whole.low, q);
+            whole.high = glm::max(whole.high, q);
+        }
+    }
+    return whole;
+}
+
+View defaultView(const SceneDescription& scene, const Bounds& bounds, float aspect) {
+    View view;
+    if (!scene.cameras.empty()) {
+        const CameraDescription& camera = scene.cameras.front();
+        const glm::vec3 forward = glm::normalize(camera.direction);
+        // The point to orbit: the depth at which the scene's middle lies, if that is in front.
+        const float depth = bounds.empty() ? 1.0f : glm::dot(bounds.centre() - camera.eye, forward);
+        view.eye = camera.eye;
+        view.target = camera.eye + forward * std::max(depth, 0.1f * bounds.diagonal() + 1e-3f);
+        view.up = camera.up;
+        view.fovDegrees = camera.fovDegrees;
+        return view;
+    }
+    if (bounds.empty()) return view;
+    const float radius = std::max(bounds.diagonal() * 0.5f, 1e-30f);
+    const float halfFov = glm::radians(view.fovDegrees) * 0.5f;
+    const float narrower = std::atan(std::tan(halfFov) * std::min(aspect, 1.0f));
+    view.target = bounds.centre();
+    view.eye = view.target +
+               glm::normalize(glm::vec3(0.55f, 0.4f, 1.0f)) * (radius / std::sin(narrower));
+    return view;
+}
+
+} // namespace samples

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "samples/common/rt_scene.h"
+
+namespace samples {
+
+/// The part of the command line that the programs share.
+struct SceneOptions {
+    std::string scene;
+    std::string size = "1024x768";
+    std::string precision = "watertight";
+    std::string camera;
+    std::vector<std::string> lights;
+    float exposureStops = 0.0f;
+    uint32_t samples = 1, threads = 0, frames = 1;
+
+    void addTo(CLI::App& app);
+};
+
+struct PictureSize {
+    uint32_t width, height;
+    float aspect() const { return float(width) / float(height); }
+};
+
+/// All of these throw std::runtime_error with one line for the user.
+PictureSize sizeFrom(const SceneOptions& options);
+Lighting lightingFrom(const SceneOptions& options);
+std::optional<View> viewFrom(const SceneOptions& options);
+/// Sets threads, precision and samples of the current context.
+void applySettings(const SceneOptions& options);
+/// Loads the scene; one that shows nothing is refused.
+SceneDescription loadVisibleScene(const SceneOptions& options, Bounds& bounds);
+
+/// Parses the command line and calls run(); a failure is one line on stderr and exit code 1 (2
+/// for a wrong command line).
+int runProgram(CLI::App& app, int argc, char* argv[], int (*run)());
+
+} // namespace samples
