@@ -71,13 +71,17 @@ uint32_t ExactReference::append(std::span<const Triangle> triangles,
         std::fill(lo_, lo_ + 3, std::numeric_limits<double>::infinity());
         std::fill(hi_, hi_ + 3, -std::numeric_limits<double>::infinity());
     }
+    const bool placed = std::all_of(toWorld.begin(), toWorld.end(), [](const Matrix34& matrix) {
+        return std::all_of(matrix.begin(), matrix.end(), [](double x) { return std::isfinite(x); });
+    });
     std::map<std::array<float, 3>, uint32_t> numbers;
     for (const Triangle& triangle : triangles) {
         const uint32_t index = count();
         const float* const source[3] = {triangle.v0, triangle.v1, triangle.v2};
         std::array<double, 9> corners{};
         std::array<uint32_t, 3> vertices{};
-        const bool valid = finite(triangle.v0, 3) && finite(triangle.v1, 3) && finite(triangle.v2, 3);
+        const bool valid = placed && finite(triangle.v0, 3) && finite(triangle.v1, 3) &&
+                           finite(triangle.v2, 3);
         for (int c = 0; c < 3 && valid; ++c) {
             const float* p = source[c];
             const std::array<float, 3> key = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};

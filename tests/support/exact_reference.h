@@ -40,7 +40,8 @@ class ExactReference {
 public:
     /// Adds triangles as they are; the first gets the returned number, the others follow.
     uint32_t add(std::span<const Triangle> triangles);
-    /// Adds triangles multiplied exactly by the matrices, the outermost first in the list.
+    /// Adds triangles multiplied exactly by the matrices, the outermost first in the list. Where
+    /// one is not finite, all its triangles count as degenerate.
     uint32_t add(std::span<const Triangle> triangles, std::span<const Matrix34> toWorld);
 
     uint32_t count() const { return uint32_t(corners_.size()); }

@@ -155,7 +155,7 @@ TEST(Traversal, DegenerateTrianglesAreNeverHitAndHarmNoNeighbour) {
 }
 
 TEST(Traversal, EqualDistancesGoToTheLowestTriangle) {
-    const auto mesh = icosphere(2);
+    const auto mesh = icosphere(3);
     std::vector<Triangle> twice = mesh;
     twice.insert(twice.end(), mesh.begin(), mesh.end());
     const TracedScene scene(twice);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "libsmart/scene/scene.h"
+#include "tests/bench/engine.h"
+
+namespace smart::bench {
+
+/// A scene of one instance, built by `threads`.
+ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision, unsigned threads,
+                     BuildReport& report);
+
+/// Packets, single rays and the public ray stream, with the kernels that are selected now.
+/// plantError: every 1000th packet names a wrong triangle, so that the comparison can be proved.
+std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision, bool plantError);
+
+} // namespace smart::bench
