@@ -73,9 +73,10 @@ inline double reduceAngle(float x, int& quadrant) {
         quadrant = int(int64_t(k) & 3);
         return (double(x) - k * kHigh) - k * kLow; // k * kHigh is exact
     }
-    // 2/pi to 224 bits; the product's first bits are multiples of 4 quadrants and dropped.
-    constexpr uint32_t kTwoOverPi[] = {0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0,
-                                       0xdb629599, 0x3c439041, 0xfe5163ab};
+    // A quarter of 2/pi to 224 bits; the product's first bits are multiples of 4 quadrants and
+    // dropped.
+    constexpr uint32_t kTwoOverPi[] = {0x28be60db, 0x9391054a, 0x7f09d5f4, 0x7d4d3770,
+                                       0x36d8a566, 0x4f10e410, 0x7f9458ea};
     const uint32_t bits = std::bit_cast<uint32_t>(x);
     const uint32_t mantissa = ((bits & 0x007FFFFFu) << 8) | 0x80000000u;
     const uint32_t exponent = ((bits >> 23) & 0xFFu) - 126u;
@@ -165,6 +166,7 @@ inline float pow(float x, float y) {
     const float size = std::fabs(x);
     const bool whole = std::floor(y) == y;
     const bool odd = whole && std::floor(y * 0.5f) != y * 0.5f;
+    if (x < 0 && size != kInf && !whole) return std::numeric_limits<float>::quiet_NaN();
     float result = 0;
     if (size == 1) {
         result = 1; // also where y is infinite
@@ -172,8 +174,6 @@ inline float pow(float x, float y) {
         result = (size > 1) == (y > 0) ? kInf : 0.0f;
     } else if (size == 0 || size == kInf) {
         result = (size == 0) == (y > 0) ? 0.0f : kInf;
-    } else if (x < 0 && !whole) {
-        return std::numeric_limits<float>::quiet_NaN();
     } else {
         const double power = double(y) * detail::logOf(size);
         result = power > 89 ? kInf : power < -104 ? 0.0f : float(detail::expOf(power));
