@@ -8,9 +8,9 @@ namespace smart {
 bool Frame::hasTransparency() const {
     std::call_once(transparencyOnce_, [this] {
         transparency_ = shaders && std::ranges::any_of(*shaders, [](const auto& shader) {
-            return shader && shader->shaderClass().kind() == RT_SURFACE_SHADER &&
-                   shader->functions().transparency;
-        });
+                            return shader && shader->shaderClass().kind() == RT_SURFACE_SHADER &&
+                                   shader->functions().transparency;
+                        });
     });
     return transparency_;
 }

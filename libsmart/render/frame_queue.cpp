@@ -15,8 +15,8 @@ void FrameQueue::submit(std::shared_ptr<const Frame> frame) {
     // List the tiles before anything is changed: it is what may run out of memory.
     const PixelTarget& target = frame->target;
     if (!lastTiles_ || lastWidth_ != target.width || lastHeight_ != target.height) {
-        lastTiles_ = std::make_shared<const std::vector<Tile>>(
-            mortonTiles(target.width, target.height));
+        lastTiles_ =
+            std::make_shared<const std::vector<Tile>>(mortonTiles(target.width, target.height));
         lastWidth_ = target.width;
         lastHeight_ = target.height;
     }

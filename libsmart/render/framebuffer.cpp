@@ -54,12 +54,18 @@ void store(std::byte* to, const glm::vec4& color, PixelFormat format, bool srgb)
         std::memcpy(to, values, std::size_t(count) * sizeof(float));
     };
     switch (format) {
-        case PixelFormat::Bgr32f: return floats(2, 1, 0, 3);
-        case PixelFormat::Rgb32f: return floats(0, 1, 2, 3);
-        case PixelFormat::Rgba32f: return floats(0, 1, 2, 4);
-        case PixelFormat::Rgb8: return bytes(0, 1, 2, 3);
-        case PixelFormat::Rgba8: return bytes(0, 1, 2, 4);
-        case PixelFormat::Bgra8: return bytes(2, 1, 0, 4);
+        case PixelFormat::Bgr32f:
+            return floats(2, 1, 0, 3);
+        case PixelFormat::Rgb32f:
+            return floats(0, 1, 2, 3);
+        case PixelFormat::Rgba32f:
+            return floats(0, 1, 2, 4);
+        case PixelFormat::Rgb8:
+            return bytes(0, 1, 2, 3);
+        case PixelFormat::Rgba8:
+            return bytes(0, 1, 2, 4);
+        case PixelFormat::Bgra8:
+            return bytes(2, 1, 0, 4);
     }
 }
 
@@ -78,12 +84,16 @@ void storeValues(void* memory, const PixelTarget& target, const Tile& tile, cons
 
 std::size_t bytesPerPixel(PixelFormat format) {
     switch (format) {
-        case PixelFormat::Rgb8: return 3;
+        case PixelFormat::Rgb8:
+            return 3;
         case PixelFormat::Rgba8:
-        case PixelFormat::Bgra8: return 4;
+        case PixelFormat::Bgra8:
+            return 4;
         case PixelFormat::Bgr32f:
-        case PixelFormat::Rgb32f: return 12;
-        case PixelFormat::Rgba32f: return 16;
+        case PixelFormat::Rgb32f:
+            return 12;
+        case PixelFormat::Rgba32f:
+            return 16;
     }
     return 0;
 }

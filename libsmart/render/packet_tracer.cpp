@@ -24,7 +24,11 @@ static_assert(kTileSize % kBlockSide == 0 && kBlockSide % kPacketSide == 0);
 class TileTracer {
 public:
     TileTracer(const Frame& frame, const Tile& tile, TilePixels& pixels)
-        : frame_(frame), tile_(tile), pixels_(pixels), camera_(frame), services_(frame, pixels),
+        : frame_(frame),
+          tile_(tile),
+          pixels_(pixels),
+          camera_(frame),
+          services_(frame, pixels),
           samples_(std::max(frame.samples, 1u)) {}
 
     void tracePackets() {
@@ -38,8 +42,8 @@ public:
         for (uint32_t j = 0; j < tile_.height; ++j)
             for (uint32_t i = 0; i < tile_.width; ++i) {
                 if (!clear(i, j)) continue;
-                const PixelResult result = renderPixel(frame_, camera_, services_, tile_.x + i,
-                                                       tile_.y + j);
+                const PixelResult result =
+                    renderPixel(frame_, camera_, services_, tile_.x + i, tile_.y + j);
                 const uint32_t entry = j * kTileSize + i;
                 pixels_.color[entry] = result.color;
                 pixels_.badPixels += result.bad;

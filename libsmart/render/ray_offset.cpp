@@ -18,8 +18,8 @@ double maxAbs(const glm::dvec3& p) {
 double rowSum(const glm::dmat3& matrix) {
     double sum = 0;
     for (int row = 0; row < 3; ++row)
-        sum = std::max(sum, std::abs(matrix[0][row]) + std::abs(matrix[1][row]) +
-                                std::abs(matrix[2][row]));
+        sum = std::max(
+            sum, std::abs(matrix[0][row]) + std::abs(matrix[1][row]) + std::abs(matrix[2][row]));
     return sum;
 }
 
@@ -35,8 +35,8 @@ float surfaceError(const HitChain& chain, const float position[3], float u, floa
                                   {triangle.v1[0], triangle.v1[1], triangle.v1[2]},
                                   {triangle.v2[0], triangle.v2[1], triangle.v2[2]}};
     // The point in the space of each instance's model, from the innermost out.
-    glm::dvec3 point = corner[0] + double(u) * (corner[1] - corner[0]) +
-                       double(v) * (corner[2] - corner[0]);
+    glm::dvec3 point =
+        corner[0] + double(u) * (corner[1] - corner[0]) + double(v) * (corner[2] - corner[0]);
     glm::dvec3 inModel[kMaxLevels];
     for (uint32_t level = chain.levels; level-- > 0;) {
         inModel[level] = point;

@@ -42,7 +42,9 @@ const RTSfunctions ShadingServices::kFunctions = {
     illuminate,           texture, environment, random};
 
 ShadingServices::ShadingServices(const Frame& frame, TilePixels& counters)
-    : frame_(frame), counters_(counters), kernels_(kernels()),
+    : frame_(frame),
+      counters_(counters),
+      kernels_(kernels()),
       precision_(std::size_t(frame.scene->precision())),
       recursionLimit_(std::min(frame.recursionLimit, kMaxRecursion)) {}
 
@@ -212,9 +214,8 @@ int ShadingServices::trace(RTSstate* state, const float origin[3], const float d
     ++self.counters_.secondaryRays;
     const Hit hit = self.findHit(ray);
     const uint32_t depth = state->depth + 1;
-    const glm::vec4 color = hit.triangle == kNoHit
-                                ? self.shadeMiss(ray, depth, share)
-                                : self.shadeHit(ray, hit, depth, share, nullptr);
+    const glm::vec4 color = hit.triangle == kNoHit ? self.shadeMiss(ray, depth, share)
+                                                   : self.shadeHit(ray, hit, depth, share, nullptr);
     for (int k = 0; k < 3; ++k) radiance[k] = color[k];
     return 1;
 }

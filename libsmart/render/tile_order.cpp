@@ -8,8 +8,8 @@ namespace smart {
 namespace {
 
 struct Grid {
-    uint32_t width, height;   // of the picture
-    uint32_t columns, rows;   // tiles
+    uint32_t width, height; // of the picture
+    uint32_t columns, rows; // tiles
 };
 
 // Visits the square of `size` (a power of two) tiles at (x, y) quarter by quarter.

@@ -29,7 +29,9 @@ public:
             sigdelset(&blocked, own);
         pthread_sigmask(SIG_BLOCK, &blocked, &previous_);
     }
-    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
+    ~SignalsBlocked() {
+        pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
+    }
 
 private:
     sigset_t previous_;
@@ -82,7 +84,8 @@ ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& trace
 unsigned coreCount() {
 #if defined(__linux__)
     cpu_set_t mine;
-    if (sched_getaffinity(0, sizeof mine, &mine) == 0) return unsigned(std::max(CPU_COUNT(&mine), 1));
+    if (sched_getaffinity(0, sizeof mine, &mine) == 0)
+        return unsigned(std::max(CPU_COUNT(&mine), 1));
 #endif
     return std::max(std::thread::hardware_concurrency(), 1u);
 }
