@@ -179,7 +179,7 @@ class IsaObjects(unittest.TestCase):
             self.assertNotEqual(isa_objects.code_problems(isa, self.code(line)), [], (isa, line))
 
     def test_accepts_own_symbols(self):
-        text = ("0000 R _ZN5smart4avx26kTableE\n0000 t _ZN3hwy6N_AVX23AddEv\n"
+        text = ("0000 R _ZN5smart4avx26kTableE\n0000 W _ZZN5smart4avx21fEvENKUlvE_clEv\n0000 t _ZN3hwy6N_AVX23AddEv\n"
                 "                 U memcpy\n                 w __gmon_start__\n")
         self.assertEqual(isa_objects.symbol_problems("avx2", text), [])
 

@@ -19,8 +19,9 @@ FUSED = re.compile(r"^vf(n?m)(add|sub)")
 SSE4 = re.compile(r"^(blendv?p[sd]|pblendvb|pblendw|pminsd|pmaxsd|pminud|pmaxud|pmulld|ptest|"
                   r"roundp[sd]|rounds[sd]|insertps|extractps|pextr[dqb]|pinsr[dqb]|packusdw|"
                   r"pmov[sz]x\w+|pcmpeqq|pcmpgtq|dpps|movntdqa|crc32\w*)$")
-# What a symbol of namespace smart::NAME looks like, run-time type data and guards included.
-OWN_SYMBOL = r"^_Z(TV|TI|TS|TT|GV|GR)?N?[KVrRO]*5smart{length}{name}"
+# What a symbol of namespace smart::NAME looks like: run-time type data, guards and what is local
+# to its functions (Z) included.
+OWN_SYMBOL = r"^_Z(TV|TI|TS|TT|GV|GR)?Z*N[KVrRO]*5smart{length}{name}"
 HARMLESS = {"DW.ref.__gxx_personality_v0"}
 
 
