@@ -171,7 +171,8 @@ class IsaObjects(unittest.TestCase):
             self.assertEqual(isa_objects.code_problems(isa, self.code(line)), [], isa)
 
     def test_finds_each_set_in_the_wrong_object(self):
-        for isa, line in (("generic", "vmulss %xmm0,%xmm1,%xmm1"), ("generic", "pminsd %xmm0,%xmm1"),
+        for isa, line in (("generic", "vmulss %xmm0,%xmm1,%xmm1"),
+                          ("generic", "pminsd %xmm0,%xmm1"),
                           ("sse4", "mulps  %xmm0,%xmm1"), ("avx2", "vmulps %xmm0,%xmm1,%xmm2"),
                           ("avx2", "vmulps %zmm0,%zmm1,%zmm2"),
                           ("avx512", "vmulps %ymm0,%ymm1,%ymm2"), ("", "vzeroupper"),
@@ -179,13 +180,15 @@ class IsaObjects(unittest.TestCase):
             self.assertNotEqual(isa_objects.code_problems(isa, self.code(line)), [], (isa, line))
 
     def test_accepts_own_symbols(self):
-        text = ("0000 R _ZN5smart4avx26kTableE\n0000 W _ZZN5smart4avx21fEvENKUlvE_clEv\n0000 t _ZN3hwy6N_AVX23AddEv\n"
+        text = ("0000 R _ZN5smart4avx26kTableE\n"
+                "0000 W _ZZN5smart4avx21fEvENKUlvE_clEv\n0000 t _ZN3hwy6N_AVX23AddEv\n"
                 "                 U memcpy\n                 w __gmon_start__\n")
         self.assertEqual(isa_objects.symbol_problems("avx2", text), [])
 
     def test_finds_symbols_that_others_see(self):
         for line in ("0000 W _ZN5smart6packetEv", "0000 T _ZN5smart6avx5121fEv",
-                     "0000 u _ZN5smart1gE", "0000 V _ZTIN5smart1XE", "0000 W _ZSt3minIfERKT_S2_S2_"):
+                     "0000 u _ZN5smart1gE", "0000 V _ZTIN5smart1XE",
+                     "0000 W _ZSt3minIfERKT_S2_S2_"):
             self.assertEqual(len(isa_objects.symbol_problems("avx2", line)), 1, line)
 
     def test_finds_start_code(self):
