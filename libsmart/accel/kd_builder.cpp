@@ -2,16 +2,19 @@
 #include "libsmart/accel/kd_builder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <numeric>
-#include <optional>
 #include <queue>
 #include <system_error>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "libsmart/accel/kd_subtree.h"
 #include "libsmart/base/error.h"

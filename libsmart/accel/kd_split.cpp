@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/accel/kd_split.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace smart {
@@ -143,7 +144,8 @@ void KdSplitter::classify(const KdCell& cell, const KdPlane& plane) {
     uint32_t i = 0;
     for (; i < size && events[i] < border; ++i) {
         const bool staysLeft = kdEventKind(events[i]) != KdEventKind::Start;
-        sides_[kdEventPrim(events[i])] = staysLeft ? kLeft : kStraddles; // unless it ends, it goes on
+        // What starts straddles, unless its end comes before the border too.
+        sides_[kdEventPrim(events[i])] = staysLeft ? kLeft : kStraddles;
         leftCount_ += staysLeft;
     }
     for (; i < size; ++i) {
@@ -185,7 +187,7 @@ void KdSplitter::distribute(const KdEventLists& lists, KdCell& left, KdCell& rig
         for (uint32_t i = 0; i < lists.size[k]; ++i) {
             const KdEvent event = lists.events[k][i];
             const uint8_t side = sides_[kdEventPrim(event)];
-            *leftEnd = event; // written to both, kept where the end moves on: no branch to mispredict
+            *leftEnd = event; // written to both, kept where the end moves on: no branch
             *rightEnd = event;
             leftEnd += side & kLeft;
             rightEnd += side >> 1;

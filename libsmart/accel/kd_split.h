@@ -56,7 +56,6 @@ public:
                KdEventArena& leftArena, KdCell& left, KdEventArena& rightArena, KdCell& right);
 
     uint64_t eventsSwept() const { return eventsSwept_; }
-    std::vector<KdEvent>& sortScratch() { return sortScratch_; }
 
 private:
     enum Side : uint8_t { kStraddles = 0, kLeft = 1, kRight = 2 };

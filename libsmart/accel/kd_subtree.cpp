@@ -2,6 +2,7 @@
 #include "libsmart/accel/kd_subtree.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace smart {
 namespace {

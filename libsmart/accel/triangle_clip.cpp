@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/accel/triangle_clip.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace smart {
 namespace {
@@ -52,7 +54,7 @@ Aabb clipTriangle(const float v0[3], const float v1[3], const float v2[3], const
     double pad[3], lo[3], hi[3];
     bool inside = true;
     for (int k = 0; k < 3; ++k) {
-        const double scale = std::fmax(std::fabs(double(cell.lo[k])), std::fabs(double(cell.hi[k])));
+        const double scale = std::max(std::fabs(double(cell.lo[k])), std::fabs(double(cell.hi[k])));
         pad[k] = scale * 0x1p-22 + 0x1p-148; // not less than a float's rounding, denormal or not
         lo[k] = cell.lo[k] - pad[k];
         hi[k] = cell.hi[k] + pad[k];

@@ -76,7 +76,9 @@ TEST(KdEvents, ArenaListsAreDisjointAndReused) {
         ranges.emplace_back(third.events[k], third.events[k] + 7);
     }
     std::sort(ranges.begin(), ranges.end());
-    for (std::size_t i = 1; i < ranges.size(); ++i) EXPECT_LE(ranges[i - 1].second, ranges[i].first);
+    for (std::size_t i = 1; i < ranges.size(); ++i) {
+        EXPECT_LE(ranges[i - 1].second, ranges[i].first);
+    }
     arena.release(mark);
     EXPECT_EQ(arena.allocate(1000).events[0], second.events[0]);
     arena.release(mark);

@@ -142,19 +142,19 @@ uint64_t countMissing(const KdTree& tree, const std::vector<Triangle>& triangles
         const Aabb box = boundsOf(triangle);
         bool vertexHeld[3] = {};
         const float* const vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
-        visit(
-            tree, 0, tree.bounds, [&](const Aabb& cell) { return !intersection(box, cell).empty(); },
-            [&](const KdNode& leaf, const Aabb& cell) {
-                if (!holds(tree, leaf, prim)) {
-                    missing += meetsInside(triangle, cell);
-                    return;
-                }
-                for (int i = 0; i < 3; ++i) {
-                    Aabb point;
-                    point.add(vertices[i]);
-                    vertexHeld[i] = vertexHeld[i] || !intersection(point, cell).empty();
-                }
-            });
+        const auto meets = [&](const Aabb& cell) { return !intersection(box, cell).empty(); };
+        const auto checkLeaf = [&](const KdNode& leaf, const Aabb& cell) {
+            if (!holds(tree, leaf, prim)) {
+                missing += meetsInside(triangle, cell);
+                return;
+            }
+            for (int i = 0; i < 3; ++i) {
+                Aabb point;
+                point.add(vertices[i]);
+                vertexHeld[i] = vertexHeld[i] || !intersection(point, cell).empty();
+            }
+        };
+        visit(tree, 0, tree.bounds, meets, checkLeaf);
         missing += uint64_t(!vertexHeld[0]) + !vertexHeld[1] + !vertexHeld[2];
     }
     return missing;
