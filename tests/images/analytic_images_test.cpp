@@ -90,13 +90,13 @@ glm::dvec3 diffuse(glm::dvec3 color, glm::dvec3 position, glm::dvec3 normal, glm
 }
 
 std::optional<glm::dvec3> sphereRadiance(glm::dvec3 direction) {
-    const glm::dvec3 center(0, 0, -5), light(2, 3, 4), color(0.9, 0.5, 0.2);
+    const glm::dvec3 center(0, 0, -5), light(3, 3, -1), color(0.9, 0.5, 0.2);
     const double along = glm::dot(center, direction);
     const double missSquared = glm::dot(center, center) - along * along;
     if (std::abs(missSquared - 1) < 0.01) return std::nullopt; // the silhouette is of triangles
     if (missSquared > 1) return glm::dvec3(0);
     const glm::dvec3 position = direction * (along - std::sqrt(1 - missSquared));
-    return diffuse(color, position, position - center, light, 20);
+    return diffuse(color, position, position - center, light, 25);
 }
 
 constexpr double kFloor = -2, kSquare = -0.5, kEdge = 1e-4;
@@ -133,12 +133,12 @@ TEST(AnalyticImages, SphereUnderAPointLight) {
     const Picture picture = render(SPHERE_PROGRAM);
     const double half = std::tan(glm::radians(20.0));
     const Comparison result = compare(picture, half, half, sphereRadiance);
-    // A ball of 512 x 1024 quads differs from the sphere by up to 1e-5 of its radius.
-    EXPECT_LT(result.worst, 2e-5);
-    EXPECT_GT(result.lit, 30000);
+    // A ball of 192 x 384 quads lies up to 7e-5 of the radius below the sphere.
+    EXPECT_LT(result.worst, 4e-4);
+    EXPECT_GT(result.lit, 25000);
     EXPECT_GT(result.compared, 157000);
 
-    EXPECT_GT(compare(shiftedByOnePixel(picture), half, half, sphereRadiance).worst, 2e-3);
+    EXPECT_GT(compare(shiftedByOnePixel(picture), half, half, sphereRadiance).worst, 5e-3);
 }
 
 TEST(AnalyticImages, FloorWithShadow) {
