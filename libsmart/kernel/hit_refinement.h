@@ -38,7 +38,7 @@ const ModelView& descend(const ModelView& scene, const uint32_t path[][N], uint3
 }
 
 /// With A the first vertex as seen from the origin, e1 and e2 the edges from it, n = e1 x e2:
-/// t = A.n / d.n, u = (d x A).e2 / d.n, v = (A x d).e1 / d.n. Lanes without a hit get any value.
+/// t = A.n / d.n, u = (A x d).e2 / d.n, v = (d x A).e1 / d.n. Lanes without a hit get any value.
 template <int N>
 void refineHits(const ModelView& scene, const float* const org[3], const float* const dir[3],
                 const float* tNear, const float* tFar, const uint32_t* triangle,
