@@ -9,7 +9,7 @@
 #include "openrt/rt.h"
 #include "samples/common/write_picture.h"
 
-enum { kWidth = 400, kHeight = 400, kStacks = 192, kSlices = 384 };
+enum { kWidth = 400, kHeight = 400, kStacks = 256, kSlices = 512 };
 
 static void spherePoint(int stack, int slice) {
     const double pi = 3.14159265358979323846;

@@ -133,7 +133,7 @@ TEST(AnalyticImages, SphereUnderAPointLight) {
     const Picture picture = render(SPHERE_PROGRAM);
     const double half = std::tan(glm::radians(20.0));
     const Comparison result = compare(picture, half, half, sphereRadiance);
-    // A ball of 192 x 384 quads lies up to 7e-5 of the radius below the sphere.
+    // A ball of 256 x 512 quads lies up to 4e-5 of the radius below the sphere.
     EXPECT_LT(result.worst, 4e-4);
     EXPECT_GT(result.lit, 25000);
     EXPECT_GT(result.compared, 157000);
