@@ -52,10 +52,10 @@ private:
     struct Slot {
         std::shared_ptr<const Frame> frame;
         Tiles tiles;
-        std::exception_ptr failure;                          // guarded by mutex_
-        alignas(kCacheLine) std::atomic<int64_t> waiting{0}; // tiles not handed out, or below 0
-        alignas(kCacheLine) std::atomic<uint64_t> unfinished{
-            0}; // tiles not done, failed or dropped
+        std::exception_ptr failure; // guarded by mutex_
+        // Tiles not handed out (0 and less: none), and tiles neither done, failed nor dropped.
+        alignas(kCacheLine) std::atomic<int64_t> waiting{0};
+        alignas(kCacheLine) std::atomic<uint64_t> unfinished{0};
         std::atomic<uint64_t> primaryRays{0}, shadowRays{0}, secondaryRays{0}, badPixels{0};
     };
 
