@@ -191,8 +191,8 @@ void RtScene::addLights(const SceneDescription& scene, const Bounds& bounds, con
 /// glTF files have no sky: a clear one, pale at the horizon, over brown ground.
 void RtScene::addSky() {
     constexpr int kRows = 128;
-    constexpr glm::vec3 kGround{0.16f, 0.14f, 0.12f}, kHorizon{0.62f, 0.70f, 0.78f};
-    constexpr glm::vec3 kZenith{0.10f, 0.24f, 0.50f};
+    constexpr glm::vec3 kGround{0.16f, 0.14f, 0.12f}, kHorizon{0.64f, 0.69f, 0.74f};
+    constexpr glm::vec3 kZenith{0.12f, 0.24f, 0.45f};
     std::array<glm::vec3, kRows> rows;
     for (int row = 0; row < kRows; ++row) {
         const float elevation = glm::pi<float>() * ((float(row) + 0.5f) / kRows - 0.5f);

@@ -195,9 +195,9 @@ def lantern():
 def make(path):
     out = GlbWriter("OpenRT sample model generator")
     white_marble = out.texture("white marble", images.marble(
-        256, [(112, 104, 98), (204, 197, 186), (236, 231, 222)], 3))
+        256, [(164, 155, 146), (214, 207, 197), (241, 237, 230)], 3))
     dark_marble = out.texture("dark marble", images.marble(
-        256, [(176, 186, 170), (44, 66, 54), (22, 38, 32)], 31))
+        256, [(104, 124, 112), (42, 62, 52), (22, 38, 32)], 31))
     sandstone = out.texture("sandstone", images.stone(
         128, [(178, 150, 112), (208, 184, 146), (228, 208, 174)], 5))
     plaster = out.texture("plaster", images.stone(
@@ -222,7 +222,8 @@ def make(path):
     bronze_m = out.material("bronze", texture=bronze_colour, metallic=1.0, roughness=1.0,
                             roughness_texture=bronze_surface)
     gold_m = out.material("gold", (0.95, 0.68, 0.28), metallic=1.0, roughness=0.06)
-    water_m = out.material("water", (0.02, 0.055, 0.06), roughness=0.02)
+    # A dark mirror: renderers that reflect metals only show the court in it too.
+    water_m = out.material("water", (0.05, 0.085, 0.09), metallic=1.0, roughness=0.0)
     iron_m = out.material("iron", (0.10, 0.09, 0.085), metallic=1.0, roughness=0.5)
     lamp_m = out.material("lamp", (1, 1, 1), emissive=(1.0, 0.72, 0.38))
 
@@ -249,7 +250,7 @@ def make(path):
         size = 0.75 + 0.5 * hash01(k, 7)
         out.node(land, trees, (x, -0.5, z), about_y(360 * hash01(k, 8)), (size, size * 1.05, size))
 
-    out.light("directional", (1.0, 0.88, 0.70), 4.2, rotation=looking(-0.60, -0.80, -0.52),
+    out.light("directional", (1.0, 0.88, 0.70), 3.8, rotation=looking(-0.30, -0.46, -0.84),
               name="sun")
     out.light("spot", (1.0, 0.93, 0.82), 60, {"innerConeAngle": 0.16, "outerConeAngle": 0.3},
               translation=(2.2, 4.6, 1.2), rotation=looking(-2.2, -2.6, -6.2),
