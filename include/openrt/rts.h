@@ -92,8 +92,10 @@ struct RTSstate {
     RTuint depth; /* 0 for camera rays */
     float weight; /* share of the pixel, 1 for camera rays */
 
-    const void *triangleParam; /* block of the per-triangle parameters; NULL if the class has none */
-    const void *vertexParam;   /* block of the interpolated per-vertex parameters, likewise */
+    /* Blocks of the per-triangle and of the interpolated per-vertex parameters; NULL if the class
+     * has none. */
+    const void *triangleParam;
+    const void *vertexParam;
 
     RTuint pixel[2];
     RTuint sample;
@@ -162,7 +164,7 @@ typedef struct RTshaderclass {
     /* light: 1 it contributes, 0 it does not, negative a fault */
     int (*illuminate)(const void *shader, const float position[3], RTSlightsample *sample);
     int (*cameraRay)(const void *shader, float x, float y, RTScameraray *ray); /* camera */
-    int (*renderPixel)(const void *shader, RTSpixel *pixel, float rgba[4]);    /* rendering object */
+    int (*renderPixel)(const void *shader, RTSpixel *pixel, float rgba[4]); /* rendering object */
 } RTshaderclass;
 
 /* The calls of a C shader ------------------------------------------------------------------- */

@@ -189,7 +189,8 @@ void describe(Descriptor& descriptor) {
     c.construct = Functions<T>::construct;
     c.destroy = Functions<T>::destroy;
     if constexpr (kind == ShaderKind::Surface || kind == ShaderKind::Environment) {
-        static_assert(Shades<T>, "surfaces and environments have `void shade(TraceContext&) const`");
+        static_assert(Shades<T>,
+                      "surfaces and environments have `void shade(TraceContext&) const`");
         c.shade = Functions<T>::shade;
     }
     if constexpr (kind == ShaderKind::Surface && AnswersTransparency<T>)

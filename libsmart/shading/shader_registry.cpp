@@ -31,7 +31,8 @@ Shader::~Shader() {
 
 void Shader::set(uint32_t parameter, std::vector<std::byte> bytes) {
     const auto refuse = [&](const std::string& reason) {
-        throw Error(ErrorCode::InvalidOperation, "shader class '" + class_->name() + "': " + reason);
+        throw Error(ErrorCode::InvalidOperation,
+                    "shader class '" + class_->name() + "': " + reason);
     };
     if (parameter >= class_->parameterCount()) refuse("no such parameter");
     const RTSparameter& p = class_->parameter(parameter);

@@ -198,7 +198,8 @@ TEST(SurfacePointTest, ReplacementsApplyFromTheInnermostOutward) {
     EXPECT_EQ(effectiveShader(f.chain()), 6u);
 
     f.instances.resize(2);
-    auto inner = std::make_shared<ShaderReplacement>(), outer = std::make_shared<ShaderReplacement>();
+    const auto inner = std::make_shared<ShaderReplacement>();
+    const auto outer = std::make_shared<ShaderReplacement>();
     inner->pairs = {{5, 50}, {6, 60}};
     outer->pairs = {{6, 61}, {60, 62}};
     f.instances[1].replacement = inner;

@@ -69,8 +69,13 @@ TEST(TextureTest, NearestTakesTheTexelThatHoldsThePoint) {
     EXPECT_EQ(t.sample(-2.9f, 7.0f).r, 0);
 }
 
+// Texels 0 1 2 3 / 10 11 12 13 from the bottom.
+Texture eight() {
+    return Texture(4, 2, 1, TexelType::Float, texels<float>({0, 1, 2, 3, 10, 11, 12, 13}), kLinear);
+}
+
 TEST(TextureTest, LinearMeetsCentresAndMiddles) {
-    const Texture t(4, 2, 1, TexelType::Float, texels<float>({0, 1, 2, 3, 10, 11, 12, 13}), kLinear);
+    const Texture t = eight();
     for (int x = 0; x < 4; ++x)
         for (int y = 0; y < 2; ++y)
             EXPECT_EQ(t.sample((float(x) + 0.5f) / 4, (float(y) + 0.5f) / 2).r, float(10 * y + x));
@@ -80,7 +85,7 @@ TEST(TextureTest, LinearMeetsCentresAndMiddles) {
 }
 
 TEST(TextureTest, RepeatingHasNoSeam) {
-    const Texture t(4, 2, 1, TexelType::Float, texels<float>({0, 1, 2, 3, 10, 11, 12, 13}), kLinear);
+    const Texture t = eight();
     // At the border both texels have half the weight.
     EXPECT_EQ(t.sample(0.0f, 0.25f).r, 1.5f);
     EXPECT_EQ(t.sample(1.0f, 0.25f).r, 1.5f);
@@ -115,7 +120,8 @@ TEST(TextureTest, ClampingAndMirroringKeepTheBorder) {
     }
     const Texture nearest = numbered(options(TextureWrap::Clamp, TextureFilter::Nearest));
     EXPECT_EQ(nearest.sample(1.0f, 1.0f).r, 5);
-    EXPECT_EQ(numbered(options(TextureWrap::Mirror, TextureFilter::Nearest)).sample(1.0f, 0.0f).r, 2);
+    const auto mirror = options(TextureWrap::Mirror, TextureFilter::Nearest);
+    EXPECT_EQ(numbered(mirror).sample(1.0f, 0.0f).r, 2);
 }
 
 // The definition, texel by texel: sum over all copies of the image of texel times tent function.
@@ -126,7 +132,8 @@ double tentSum(const std::vector<float>& image, int width, int height, double s,
         for (int i = int(std::floor(x)) - 2; i <= int(std::floor(x)) + 2; ++i) {
             const double wx = 1 - std::fabs(x - (i + 0.5)), wy = 1 - std::fabs(y - (j + 0.5));
             if (wx <= 0 || wy <= 0) continue;
-            const int column = ((i % width) + width) % width, row = ((j % height) + height) % height;
+            const int column = ((i % width) + width) % width;
+            const int row = ((j % height) + height) % height;
             sum += wx * wy * double(image[std::size_t(row * width + column)]);
         }
     return sum;

@@ -90,7 +90,8 @@ TEST(LightsTest, DirectionalLightsAreTheSameEverywhere) {
         EXPECT_EQ(s.distance, std::numeric_limits<float>::infinity());
         EXPECT_EQ(s.radiance[1], 2);
     }
-    EXPECT_EQ(illuminate(*MadeShader("DirectionalLight").set("direction", Vec3()).make(), {}, s), 0);
+    const auto nowhere = MadeShader("DirectionalLight").set("direction", Vec3()).make();
+    EXPECT_EQ(illuminate(*nowhere, {}, s), 0);
 }
 
 TEST(CamerasTest, PinholeAndOrthographicRays) {

@@ -176,8 +176,8 @@ TEST(MetallicRoughnessTest, FollowsGltf) {
                 const Rgba got = tracer.shade(*shader);
                 const double base[3] = {0.8, 0.5, 0.1}, radiance[3] = {1, 1, 2};
                 for (std::size_t k = 0; k < 3; ++k) {
-                    const double wanted =
-                        radiance[k] * gltf(base[k], double(metallic), double(roughness), l[2], 0.8, nh, vh);
+                    const double wanted = radiance[k] * gltf(base[k], metallic, roughness, l[2],
+                                                             0.8, nh, vh);
                     EXPECT_NEAR(got[k], wanted, 2e-5 * (wanted + 0.01))
                         << metallic << " " << roughness << " " << tilt;
                 }
