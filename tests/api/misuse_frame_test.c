@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "misuse.h"
+
+static RTubyte other[64];
+
+static RTuint bufferFormat(void) { return rtSetFrameBuffer(other, 4, 4, RT_RGBA), 0u; }
+static RTuint bufferNull(void) { return rtSetFrameBuffer(NULL, 4, 4, RT_RGBA_8), 0u; }
+static RTuint bufferFlat(void) { return rtSetFrameBuffer(other, 0, 4, RT_RGBA_8), 0u; }
+static RTuint bufferHuge(void) {
+    return rtSetFrameBuffer(other, 0xFFFFFFFFu, 0xFFFFFFFFu, RT_RGBA_8), 0u;
+}
+static RTuint buffer(void) { return rtSetFrameBuffer(other, 4, 4, RT_RGBA_8), 0u; }
+static RTuint stride(void) { return rtFrameBufferStride(-4), 0u; }
+static RTuint strideLegal(void) { return rtFrameBufferStride(1024), 0u; }
+static RTuint auxUnknown(void) { return rtSetAuxBuffer(RT_RGB_32F, other, RT_FLOAT), 0u; }
+static RTuint auxFormat(void) { return rtSetAuxBuffer(RT_DEPTH, other, RT_UNSIGNED_INT), 0u; }
+static RTuint auxIdFormat(void) { return rtSetAuxBuffer(RT_OBJECT_ID, other, RT_FLOAT), 0u; }
+static RTuint auxAlbedo(void) { return rtSetAuxBuffer(RT_ALBEDO, other, RT_RGB_32F), 0u; }
+static RTuint auxLegal(void) { return rtSetAuxBuffer(RT_DEPTH, other, RT_FLOAT), 0u; }
+static RTuint samplesNone(void) { return rtSamples(0), 0u; }
+static RTuint samplesMany(void) { return rtSamples(1000000), 0u; }
+static RTuint samples(void) { return rtSamples(4), 0u; }
+static RTuint seed(void) { return rtSeed(4), 0u; }
+static RTuint recursionDeep(void) { return rtRecursionLimit(100000), 0u; }
+static RTuint cutoffNan(void) { return rtWeightCutoff(NAN), 0u; }
+static RTuint cutoffNegative(void) { return rtWeightCutoff(-0.5f), 0u; }
+static RTuint threadsMany(void) { return rtThreads(1000000), 0u; }
+static RTuint threads(void) { return rtThreads(1), 0u; }
+
+static RTuint light(void) { return rtUseLight(ids.light), 0u; } /* the frame has it already */
+static RTuint lightUnknown(void) { return rtUseLight(4711), 0u; }
+static RTuint lightSurface(void) { return rtUseLight(ids.surface), 0u; }
+static RTuint lightZero(void) { return rtUseLight(0), 0u; }
+static RTuint fastUnknown(void) { return rtUseLightFast(4711), 0u; }
+static RTuint fastSurface(void) { return rtUseLightFast(ids.surface), 0u; }
+static RTuint fast(void) { return rtUseLightFast(ids.light), 0u; }
+static RTuint cameraUnknown(void) { return rtUseCamera(4711), 0u; }
+static RTuint cameraLight(void) { return rtUseCamera(ids.light), 0u; }
+static RTuint camera(void) { return rtUseCamera(ids.camera), 0u; }
+static RTuint environmentUnknown(void) { return rtUseEnvironmentShader(4711), 0u; }
+static RTuint environmentCamera(void) { return rtUseEnvironmentShader(ids.camera), 0u; }
+static RTuint environment(void) { return rtUseEnvironmentShader(ids.environment), 0u; }
+static RTuint renderingUnknown(void) { return rtUseRenderingObject(4711), 0u; }
+static RTuint renderingSurface(void) { return rtUseRenderingObject(ids.surface), 0u; }
+
+static RTuint start(void) { return rtStartRendering(), 0u; }
+static RTuint endRendering(void) { return rtEndRendering(), 0u; }
+static RTuint render(void) { return rtRender(), 0u; }
+static RTuint finish(void) { return rtFinish(), 0u; }
+static RTuint flush(void) { return rtFlush(), 0u; }
+static RTuint singular(void) {
+    RTfloat zeros[16] = {0};
+    rtMatrixMode(RT_PROJECTION);
+    rtPushMatrix();
+    rtLoadMatrixf(zeros);
+    rtStartRendering();
+    rtPopMatrix();
+    rtMatrixMode(RT_MODELVIEW);
+    return 0;
+}
+static RTuint shortStride(void) {
+    rtFrameBufferStride(8);
+    rtStartRendering();
+    rtFrameBufferStride(0);
+    return 0;
+}
+
+static RTuint genScene(void) { return rtGenScene(); }
+static RTuint bindScene(void) { return rtBindScene(1), 0u; }
+static RTuint deleteScene(void) { return rtDeleteScene(1), 0u; }
+static RTuint queueFrame(void) { return rtQueueFrame(); }
+static RTuint frameDepth(void) { return rtFrameDepth(2), 0u; }
+static RTuint waitFrame(void) { return rtWaitFrame(1); }
+static RTuint frameStatus(void) { return rtFrameStatus(1); }
+static RTuint frameProgress(void) { return (RTuint)rtFrameProgress(1); }
+static RTuint cancelFrame(void) { return rtCancelFrame(1), 0u; }
+static RTuint frameCallback(void) { return rtSetFrameCallback(NULL, NULL), 0u; }
+static RTuint clear(void) { return rtClear(RT_COLOR_BUFFER_BIT), 0u; }
+
+int main(void) {
+    static const Misuse misuses[] = {
+        MISUSE(bufferFormat, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(bufferNull, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(bufferFlat, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(bufferHuge, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(buffer, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(buffer, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(stride, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(strideLegal, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(auxUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(auxFormat, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(auxIdFormat, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(auxAlbedo, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(auxLegal, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(samplesNone, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(samplesMany, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(samples, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(seed, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(recursionDeep, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(cutoffNan, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(cutoffNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(threadsMany, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(threads, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(light, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(light, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(lightUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(lightSurface, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(lightZero, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(fastUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(fastSurface, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(fast, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(cameraUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(cameraLight, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(camera, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(camera, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(environmentUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(environmentCamera, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(environment, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(renderingUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(renderingSurface, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(start, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(start, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(start, IN_FLIGHT, RT_INVALID_OPERATION),
+        MISUSE(endRendering, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(endRendering, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(render, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(render, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(finish, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(flush, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(singular, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(shortStride, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE_ID(genScene, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(bindScene, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(deleteScene, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE_ID(queueFrame, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(frameDepth, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(waitFrame, IN_FLIGHT, RT_INVALID_OPERATION),
+        MISUSE_ID(frameStatus, IN_FLIGHT, RT_INVALID_OPERATION),
+        MISUSE(frameProgress, IN_FLIGHT, RT_INVALID_OPERATION),
+        MISUSE(cancelFrame, IN_FLIGHT, RT_INVALID_OPERATION),
+        MISUSE(frameCallback, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(clear, OUTSIDE, RT_INVALID_OPERATION),
+    };
+    return CHECK_MISUSES(misuses);
+}

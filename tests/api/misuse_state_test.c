@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+#include "misuse.h"
+
+static RTuint enableUnknown(void) { return rtEnable(0xABCD), 0u; }
+static RTuint enableLighting(void) { return rtEnable(RT_LIGHTING), 0u; }
+static RTuint enableShadows(void) { return rtEnable(RT_SHADOWS), 0u; }
+static RTuint disableDepth(void) { return rtDisable(RT_DEPTH_TEST), 0u; }
+static RTuint isEnabledUnknown(void) { return rtIsEnabled(0xABCD); }
+static RTuint isEnabledFog(void) { return rtIsEnabled(RT_FOG); }
+static RTuint enable(void) { return rtEnable(RT_MULTISAMPLE), 0u; }
+static RTuint viewportNegative(void) { return rtViewport(0, 0, -1, 4), 0u; }
+static RTuint viewport(void) { return rtViewport(0, 0, 4, 4), 0u; }
+static RTuint clearColor(void) { return rtClearColor(1, 1, 1, 1), 0u; }
+static RTuint hintUnknown(void) { return rtHint(0xABCD, RT_NICEST), 0u; }
+static RTuint hintMode(void) { return rtHint(RT_PRECISION_HINT, RT_TRUE), 0u; }
+static RTuint hintPrecise(void) { return rtHint(RT_PRECISION_HINT, RT_NICEST), 0u; }
+static RTuint hintFog(void) { return rtHint(RT_FOG_HINT, RT_NICEST), 0u; }
+static RTuint hint(void) { return rtHint(RT_PRECISION_HINT, RT_FASTEST), 0u; }
+static RTuint stringUnknown(void) { return rtGetString(0xABCD) ? 1u : 0u; }
+static RTuint string(void) { return rtGetString(RT_VERSION) ? 1u : 0u; }
+static RTuint getUnknown(void) {
+    RTint value = 7;
+    rtGetIntegerv(0xABCD, &value);
+    return value == 7 ? 0 : 1;
+}
+static RTuint getRefused(void) {
+    RTint value = 7;
+    rtGetIntegerv(RT_MAX_LIGHTS, &value);
+    return value == 7 ? 0 : 1;
+}
+static RTuint getNull(void) { return rtGetDoublev(RT_CURRENT_COLOR, NULL), 0u; }
+static RTuint get(void) {
+    RTfloat color[4] = {7, 7, 7, 7};
+    rtGetFloatv(RT_CURRENT_COLOR, color);
+    return color[0] == 7 ? 0 : 1;
+}
+static RTuint callback(void) { return rtErrorCallback(NULL, NULL), 0u; }
+static RTuint getError(void) { return rtGetError(); }
+static RTuint init(void) { return rtInit(NULL, NULL), 0u; }
+
+static RTuint textureTarget(void) { return rtBindTexture(0xABCD, 1), 0u; }
+static RTuint texture1D(void) { return rtBindTexture(RT_TEXTURE_1D, 1), 0u; }
+static RTuint textureId(void) { return rtBindTexture(RT_TEXTURE_2D, 4000000000u), 0u; }
+static RTuint bindTexture(void) { return rtBindTexture(RT_TEXTURE_2D, 0), 0u; }
+static RTuint genNegative(void) {
+    RTuint id;
+    return rtGenTextures(-1, &id), 0u;
+}
+static RTuint genNull(void) { return rtGenTextures(1, NULL), 0u; }
+static RTuint deleteNegative(void) { return rtDeleteTextures(-1, &ids.texture), 0u; }
+static RTuint isTexture(void) { return rtIsTexture(ids.texture); }
+static RTuint image(RTint level, RTint internal, RTsizei width, RTint border, RTenum format,
+                    RTenum type) {
+    static const RTubyte texels[64];
+    rtTexImage2D(RT_TEXTURE_2D, level, internal, width, 1, border, format, type, texels);
+    return 0;
+}
+static RTuint imageLevel(void) { return image(-1, RT_RGB, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageMipmap(void) { return image(1, RT_RGB, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageInternal(void) { return image(0, 99, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageAlpha(void) { return image(0, RT_ALPHA8, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageNegative(void) { return image(0, RT_RGB, -1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageLarge(void) { return image(0, RT_RGB, 1 << 20, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageBorder(void) { return image(0, RT_RGB, 3, 1, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageBorderTwo(void) { return image(0, RT_RGB, 3, 2, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageFormat(void) { return image(0, RT_RGB, 1, 0, 0xABCD, RT_UNSIGNED_BYTE); }
+static RTuint imageRed(void) { return image(0, RT_RGB, 1, 0, RT_RED, RT_UNSIGNED_BYTE); }
+static RTuint imageType(void) { return image(0, RT_RGB, 1, 0, RT_RGB, 0xABCD); }
+static RTuint imageInt(void) { return image(0, RT_RGB, 1, 0, RT_RGB, RT_INT); }
+static RTuint imageSrgbFloat(void) { return image(0, RT_SRGB8, 1, 0, RT_RGB, RT_FLOAT); }
+static RTuint parameterName(void) {
+    return rtTexParameteri(RT_TEXTURE_2D, 0xABCD, RT_REPEAT), 0u;
+}
+static RTuint parameterValue(void) {
+    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, RT_NEAREST), 0u;
+}
+static RTuint parameterMin(void) {
+    return rtTexParameterf(RT_TEXTURE_2D, RT_TEXTURE_MIN_FILTER, 1e30f), 0u;
+}
+static RTuint parameterMag(void) {
+    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MAG_FILTER, RT_LINEAR_MIPMAP_LINEAR), 0u;
+}
+static RTuint parameterBorder(void) {
+    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, RT_CLAMP_TO_BORDER), 0u;
+}
+static RTuint storeUnknown(void) { return rtPixelStorei(0xABCD, 1), 0u; }
+static RTuint storeAlignment(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 3), 0u; }
+static RTuint storeNegative(void) { return rtPixelStoref(RT_UNPACK_ROW_LENGTH, -1), 0u; }
+static RTuint storePack(void) { return rtPixelStorei(RT_PACK_ALIGNMENT, 4), 0u; }
+static RTuint store(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 1), 0u; }
+static RTuint newList(void) { return rtGenLists(1); }
+static RTuint map(void) { return rtMapBuffer(RT_ARRAY_BUFFER, RT_READ_ONLY) ? 1u : 0u; }
+
+static RTuint compile(void) { return rtCompileScene(); }
+static RTuint release(void) { return rtReleaseScene(123456789), 0u; }
+
+int main(void) {
+    static const Misuse misuses[] = {
+        MISUSE(enableUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(enableLighting, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(enableShadows, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(disableDepth, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(isEnabledUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(isEnabledFog, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(enable, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(enable, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(viewportNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(viewport, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(viewport, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(clearColor, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(hintUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(hintMode, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(hintPrecise, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(hintFog, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(hint, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(stringUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(string, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(getUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(getRefused, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(getNull, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(get, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(callback, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(getError, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(init, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(textureTarget, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(texture1D, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(textureId, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(bindTexture, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(genNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(genNull, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(deleteNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(isTexture, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(imageLevel, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(imageMipmap, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageInternal, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(imageAlpha, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(imageLarge, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(imageBorder, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageBorderTwo, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(imageFormat, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(imageRed, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageType, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(imageInt, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageSrgbFloat, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(parameterName, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(parameterValue, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(parameterMin, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(parameterMag, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(parameterBorder, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(storeUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(storeAlignment, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(storeNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(storePack, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(store, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(newList, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(map, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE_ID(compile, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(release, OUTSIDE, RT_INVALID_VALUE),
+    };
+    return CHECK_MISUSES(misuses);
+}
