@@ -39,7 +39,13 @@ class SourceForm(unittest.TestCase):
 
     def test_finds_missing_pragma(self):
         licence = self.GOOD.splitlines()[0]
-        self.assertEqual(len(self.problems("libsmart/base/a.h", licence)), 1)
+        self.assertNotEqual(self.problems("libsmart/base/a.h", licence), [])
+        self.assertNotEqual(self.problems("tests/api/a.h", licence), [])
+
+    def test_accepts_the_guard_of_a_c_header(self):
+        guard = "// SPDX-License-Identifier: MIT\n#ifndef A_H\n#define A_H\n#endif\n"
+        self.assertEqual(self.problems("tests/api/a.h", guard), [])
+        self.assertNotEqual(self.problems("libsmart/base/a.h", guard), [])
 
 
 class Layering(unittest.TestCase):

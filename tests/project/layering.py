@@ -6,7 +6,7 @@ A layer includes itself and the layers before it:
 include/openrt < base < accel < kernel < geometry < scene < shading < render < recorder < openrt.
 Besides: the headers of the C API are for compat/openrt and applications only; what the kernels
 see has neither GLM nor containers; samples see the public headers only; every quoted include is
-written from the root, but for samples that build alone.
+written from the root, but for programs that build alone.
 """
 import pathlib
 import re
@@ -19,8 +19,8 @@ LAYERS = ["include/openrt", "libsmart/base", "libsmart/accel", "libsmart/kernel"
           "compat/recorder", "compat/openrt"]
 # What records and starts frames (not its types and tokens); the core has never heard of it.
 API_HEADER = re.compile(r"include/openrt/(rt\.h|rt\.hpp|rt_(?!gl_enums)\w+\.h|rtut?\.h|gl\.h)$")
-# Samples that a reader copies out of the tree.
-BUILT_ALONE = ("samples/shaders/", "samples/tour/")
+# Programs that see the library as an application does, and nothing else of the tree.
+BUILT_ALONE = ("samples/shaders/", "samples/tour/", "tests/api/")
 KERNEL_MAY_SEE = {"libsmart/accel/kd_node.h"}
 CONTAINERS = {"vector", "map", "set", "unordered_map", "unordered_set", "deque", "list", "string",
               "memory", "functional", "iostream", "sstream", "fstream"}

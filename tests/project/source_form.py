@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 """The form of every source file: its length, its licence line, one guard against inclusion."""
 import pathlib
+import re
 import sys
 
 from sources import source_files
 
 MAX_LINES = 600
-CXX_FOLDERS = ("libsmart", "compat", "tests")  # elsewhere a .h may be for C
+CXX_FOLDERS = ("libsmart", "compat")  # elsewhere a .h may be for C
 LICENCE = "SPDX-License-Identifier: MIT"
 
 
@@ -21,6 +22,8 @@ def problems_of(path, text):
     own_cxx = path.suffix == ".hpp" or path.suffix == ".h" and path.parts[0] in CXX_FOLDERS
     if own_cxx and "#pragma once" not in lines:
         found.append(f"{path}: no #pragma once")
+    if path.suffix == ".h" and not re.search(r"^#(pragma once|ifndef \w+_H\n#define)", text, re.M):
+        found.append(f"{path}: no guard against a second inclusion")
     return found
 
 
