@@ -29,10 +29,14 @@ Ray line(float ox, float oy, float oz, float dx, float dy, float dz) {
 /// Coordinates from few values make edges, vertices, planes and lines coincide all the time.
 float coordinate(Random& random, uint32_t kind) {
     switch (kind % 4) {
-    case 0: return float(random.below(5)) - 2.0f;
-    case 1: return float(random.between(-1, 1));
-    case 2: return std::ldexp(float(random.below(9)) - 4.0f, int(random.below(41)) - 20);
-    default: return 1.0f + std::ldexp(float(random.below(4)), -23);
+        case 0:
+            return float(random.below(5)) - 2.0f;
+        case 1:
+            return float(random.between(-1, 1));
+        case 2:
+            return std::ldexp(float(random.below(9)) - 4.0f, int(random.below(41)) - 20);
+        default:
+            return 1.0f + std::ldexp(float(random.below(4)), -23);
     }
 }
 
@@ -43,7 +47,8 @@ TEST(ExactReference, AgreesWithTheSecondSolver) {
         const uint32_t kind = uint32_t(pair) % 5;
         Triangle triangle;
         for (float* v : {triangle.v0, triangle.v1, triangle.v2}) {
-            for (int k = 0; k < 3; ++k) v[k] = coordinate(random, kind == 4 ? random.below(4) : kind);
+            for (int k = 0; k < 3; ++k)
+                v[k] = coordinate(random, kind == 4 ? random.below(4) : kind);
         }
         Ray ray = line(0, 0, 0, 0, 0, 0);
         const bool aimed = random.below(2) != 0;
@@ -103,9 +108,15 @@ TEST(ExactReference, FiltersLoseNothing) {
             EXPECT_EQ(answer.nearest[0].t, first);
             const std::size_t ties = answer.nearest.size();
             switch (target) {
-            case Target::Vertex: EXPECT_TRUE(first == 1 && (ties == 5 || ties == 6)); break;
-            case Target::Edge: EXPECT_TRUE(first == 1 && ties == 2); break;
-            case Target::Interior: EXPECT_EQ(ties, 1u); break;
+                case Target::Vertex:
+                    EXPECT_TRUE(first == 1 && (ties == 5 || ties == 6));
+                    break;
+                case Target::Edge:
+                    EXPECT_TRUE(first == 1 && ties == 2);
+                    break;
+                case Target::Interior:
+                    EXPECT_EQ(ties, 1u);
+                    break;
             }
         }
     }
@@ -118,7 +129,9 @@ TEST(ExactReference, TellsMustFromMay) {
                                         {{1, 0, 0}, {0.5f, 0.5f, -1}, {1, 1, 0}}};
     ExactReference reference;
     reference.add(mesh);
-    const auto answer = [&](float x, float y) { return reference.nearest(line(x, y, 2, 0, 0, -1)); };
+    const auto answer = [&](float x, float y) {
+        return reference.nearest(line(x, y, 2, 0, 0, -1));
+    };
     EXPECT_TRUE(answer(0.75f, 0.25f).must);
     const ExactAnswer diagonal = answer(0.25f, 0.25f);
     EXPECT_TRUE(diagonal.must);
@@ -141,10 +154,11 @@ TEST(ExactReference, TellsMustFromMay) {
 }
 
 TEST(ExactReference, LeavesDegenerateTrianglesOut) {
-    const std::vector<Triangle> mesh = {
-        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},    {{0, 0, 1}, {0, 0, 1}, {0, 1, 1}},
-        {{0, 0, 1}, {0.5f, 0, 1}, {1, 0, 1}}, {{0, 0, NAN}, {1, 0, 1}, {0, 1, 1}},
-        {{0, 0, 1}, {kInf, 0, 1}, {0, 1, 1}}};
+    const std::vector<Triangle> mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                        {{0, 0, 1}, {0, 0, 1}, {0, 1, 1}},
+                                        {{0, 0, 1}, {0.5f, 0, 1}, {1, 0, 1}},
+                                        {{0, 0, NAN}, {1, 0, 1}, {0, 1, 1}},
+                                        {{0, 0, 1}, {kInf, 0, 1}, {0, 1, 1}}};
     ExactReference reference;
     reference.add(mesh);
     for (uint32_t i = 0; i < 5; ++i) EXPECT_EQ(reference.degenerate(i), i != 0);
@@ -193,7 +207,9 @@ TEST(Verdict, NamesEachWrongAnswer) {
         ASSERT_TRUE(truth.must);
         const ExactCrossing& nearest = truth.nearest[0];
         const Claim right = {nearest.triangle, float(nearest.t.get_d()), 0, 0};
-        const auto verdict = [&](const Claim& claim) { return judge(reference, truth, ray, claim); };
+        const auto verdict = [&](const Claim& claim) {
+            return judge(reference, truth, ray, claim);
+        };
         EXPECT_EQ(verdict(right), Verdict::Right);
         EXPECT_EQ(verdict(Claim{}), Verdict::Miss);
         EXPECT_EQ(verdict({(nearest.triangle + size / 2) % size, right.t, 0, 0}), Verdict::Gross);

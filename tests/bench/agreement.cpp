@@ -51,8 +51,10 @@ Candidate cross(const std::vector<Triangle>& triangles, uint32_t number, const R
     if (least < -kEdge) crossing = Crossing::None;
     if (!(std::abs(den) > 1e-6 * std::sqrt(size * length))) crossing = Crossing::Near;
     const double low = packet.tNear[lane], high = packet.tFar[lane];
-    if (t < low * (1 - kTie) || t > high * (1 + kTie)) crossing = Crossing::None;
-    else if (crossing == Crossing::Clear && (t < low || t > high)) crossing = Crossing::Near;
+    if (t < low * (1 - kTie) || t > high * (1 + kTie))
+        crossing = Crossing::None;
+    else if (crossing == Crossing::Clear && (t < low || t > high))
+        crossing = Crossing::Near;
     if (std::abs(t) < 1e-6 && crossing == Crossing::Clear) crossing = Crossing::Near;
     return {number, t, crossing};
 }
@@ -108,10 +110,12 @@ std::vector<Mistakes> judgeClosest(const std::vector<Triangle>& triangles, const
             if (agreed) continue;
             candidates.clear();
             for (const auto& answers : found) {
-                addCandidate(candidates, triangles, answers[p].triangle[lane], rays.packets[p], lane);
+                addCandidate(candidates, triangles, answers[p].triangle[lane], rays.packets[p],
+                             lane);
             }
             for (std::size_t e = 0; e < found.size(); ++e) {
-                count(mistakes[e], judge(candidates, found[e][p].triangle[lane], found[e][p].t[lane]));
+                count(mistakes[e],
+                      judge(candidates, found[e][p].triangle[lane], found[e][p].t[lane]));
             }
         }
     }
@@ -141,8 +145,10 @@ std::vector<Mistakes> judgeAny(const std::vector<Triangle>& triangles, const Ray
             }
             for (std::size_t e = 0; e < blocked.size(); ++e) {
                 const bool says = blocked[e][p] >> lane & 1;
-                if (clear) count(mistakes[e], says ? 0 : 1);
-                else count(mistakes[e], near ? 2 : says ? 1 : 0);
+                if (clear)
+                    count(mistakes[e], says ? 0 : 1);
+                else
+                    count(mistakes[e], near ? 2 : says ? 1 : 0);
             }
         }
     }

@@ -111,8 +111,8 @@ void runRays(const Options& options, const std::vector<Triangle>& triangles, Rep
     for (const Kind kind : {Kind::Primary, Kind::Shadow}) {
         const RaySet& rays = kind == Kind::Primary ? primary : shadow;
         for (const unsigned threads : threadCounts(options)) {
-            report.series.push_back(measure(triangles, rays, kind, engines, threads,
-                                            options.repeat, showProgress));
+            report.series.push_back(
+                measure(triangles, rays, kind, engines, threads, options.repeat, showProgress));
         }
     }
 }
@@ -128,8 +128,10 @@ int run(const Options& options, bool rays) {
     report.scene = options.scene;
     const std::vector<Triangle> triangles = readTriangles(options.scene);
     report.triangles = triangles.size();
-    if (rays) runRays(options, triangles, report);
-    else runBuild(options, triangles, report);
+    if (rays)
+        runRays(options, triangles, report);
+    else
+        runBuild(options, triangles, report);
     showProgress("");
     std::cout << report;
     if (!options.json.empty()) {

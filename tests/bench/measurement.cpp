@@ -54,8 +54,10 @@ Series measure(const std::vector<Triangle>& triangles, const RaySet& rays, Kind 
     Series series{kind, threads, rays.active, {}};
     for (std::size_t e = 0; e < engines.size(); ++e) {
         series.results.push_back({engines[e]->name(), engines[e]->peer(), {}, {}, false});
-        if (kind == Kind::Primary) found[e].resize(packets);
-        else blocked[e].resize(packets);
+        if (kind == Kind::Primary)
+            found[e].resize(packets);
+        else
+            blocked[e].resize(packets);
     }
     for (unsigned repeat = 0; repeat <= repeats; ++repeat) { // the first only warms caches
         for (std::size_t e = 0; e < engines.size(); ++e) {

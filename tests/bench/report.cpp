@@ -7,7 +7,9 @@
 namespace smart::bench {
 namespace {
 
-const char* nameOf(Kind kind) { return kind == Kind::Primary ? "primary" : "shadow"; }
+const char* nameOf(Kind kind) {
+    return kind == Kind::Primary ? "primary" : "shadow";
+}
 
 /// The fastest peer whose answers are right; 0 if there is none.
 double bestPeer(const Series& series) {
@@ -53,15 +55,14 @@ bool Report::anyRefused() const {
 nlohmann::json Report::json() const {
     nlohmann::json root = {{"scene", scene}, {"triangles", triangles}};
     for (const BuildResult& build : builds) {
-        root["builds"].push_back({{"engine", build.engine},
-                                  {"threads", build.threads},
-                                  {"seconds", build.report.seconds},
-                                  {"bytesPerTriangle",
-                                   double(build.report.bytes) / double(triangles)}});
+        root["builds"].push_back(
+            {{"engine", build.engine},
+             {"threads", build.threads},
+             {"seconds", build.report.seconds},
+             {"bytesPerTriangle", double(build.report.bytes) / double(triangles)}});
     }
     for (const Series& s : series) {
-        nlohmann::json entry = {
-            {"kind", nameOf(s.kind)}, {"threads", s.threads}, {"rays", s.rays}};
+        nlohmann::json entry = {{"kind", nameOf(s.kind)}, {"threads", s.threads}, {"rays", s.rays}};
         const double best = bestPeer(s);
         for (const Result& result : s.results) {
             nlohmann::json line = {{"engine", result.engine},

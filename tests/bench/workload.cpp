@@ -26,7 +26,8 @@ uint32_t spread(uint32_t x) {
 
 std::vector<Triangle> readTriangles(const std::string& scene) {
     if (scene.rfind(kGenerated, 0) == 0) {
-        return test::bumpySphere(uint32_t(std::stoul(scene.substr(std::string(kGenerated).size()))));
+        return test::bumpySphere(
+            uint32_t(std::stoul(scene.substr(std::string(kGenerated).size()))));
     }
     std::ifstream file(scene, std::ios::binary | std::ios::ate);
     if (!file) throw std::runtime_error(scene + ": can not be read");
@@ -39,8 +40,7 @@ std::vector<Triangle> readTriangles(const std::string& scene) {
         throw std::runtime_error(scene + ": is no .tri file: its size does not fit its count");
     }
     std::vector<Triangle> triangles(count);
-    file.read(reinterpret_cast<char*>(triangles.data()),
-              std::streamsize(count * sizeof(Triangle)));
+    file.read(reinterpret_cast<char*>(triangles.data()), std::streamsize(count * sizeof(Triangle)));
     return triangles;
 }
 
@@ -81,8 +81,11 @@ RaySet primaryRays(const View& view, uint32_t size) {
     const uint32_t side = size / 4;
     std::vector<uint32_t> order(std::size_t(side) * side);
     for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto code = [&](uint32_t block) { return spread(block % side) | spread(block / side) << 1; };
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return code(a) < code(b); });
+    const auto code = [&](uint32_t block) {
+        return spread(block % side) | spread(block / side) << 1;
+    };
+    std::sort(order.begin(), order.end(),
+              [&](uint32_t a, uint32_t b) { return code(a) < code(b); });
     RaySet set;
     set.packets.reserve(order.size());
     for (const uint32_t block : order) {
@@ -106,9 +109,10 @@ RaySet shadowRays(const View& view, const RaySet& primary, const ModelView& scen
             for (int k = 0; k < 3; ++k) {
                 const int i = (k + 1) % 3, j = (k + 2) % 3;
                 point[k] = (1 - u - v) * triangle.v0[k] + u * triangle.v1[k] + v * triangle.v2[k];
-                normal[k] =
-                    (double(triangle.v1[i]) - triangle.v0[i]) * (double(triangle.v2[j]) - triangle.v0[j]) -
-                    (double(triangle.v1[j]) - triangle.v0[j]) * (double(triangle.v2[i]) - triangle.v0[i]);
+                normal[k] = (double(triangle.v1[i]) - triangle.v0[i]) *
+                                (double(triangle.v2[j]) - triangle.v0[j]) -
+                            (double(triangle.v1[j]) - triangle.v0[j]) *
+                                (double(triangle.v2[i]) - triangle.v0[i]);
                 facing += normal[k] * packet.dir[k][lane];
                 square += normal[k] * normal[k];
                 largest = std::max(largest, std::abs(point[k]));

@@ -57,7 +57,9 @@ void dot(const mpz_class* a, const mpz_class* b, mpz_class& result) {
 
 } // namespace
 
-uint32_t ExactReference::add(std::span<const Triangle> triangles) { return append(triangles, {}); }
+uint32_t ExactReference::add(std::span<const Triangle> triangles) {
+    return append(triangles, {});
+}
 
 uint32_t ExactReference::add(std::span<const Triangle> triangles,
                              std::span<const Matrix34> toWorld) {
@@ -80,8 +82,8 @@ uint32_t ExactReference::append(std::span<const Triangle> triangles,
         const float* const source[3] = {triangle.v0, triangle.v1, triangle.v2};
         std::array<double, 9> corners{};
         std::array<uint32_t, 3> vertices{};
-        const bool valid = placed && finite(triangle.v0, 3) && finite(triangle.v1, 3) &&
-                           finite(triangle.v2, 3);
+        const bool valid =
+            placed && finite(triangle.v0, 3) && finite(triangle.v1, 3) && finite(triangle.v2, 3);
         for (int c = 0; c < 3 && valid; ++c) {
             const float* p = source[c];
             const std::array<float, 3> key = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};
@@ -99,9 +101,8 @@ uint32_t ExactReference::append(std::span<const Triangle> triangles,
                                                         exact[3 * c + 2]};
                     for (int row = 0; row < 3; ++row) {
                         const double* r = &toWorld[m][4 * row];
-                        exact[3 * c + row] =
-                            mpq_class(r[0]) * p[0] + mpq_class(r[1]) * p[1] +
-                            mpq_class(r[2]) * p[2] + mpq_class(r[3]);
+                        exact[3 * c + row] = mpq_class(r[0]) * p[0] + mpq_class(r[1]) * p[1] +
+                                             mpq_class(r[2]) * p[2] + mpq_class(r[3]);
                     }
                 }
             }
@@ -278,9 +279,8 @@ bool ExactReference::surrounds(const ExactCrossing& crossing,
 }
 
 bool ExactReference::isMust(std::span<const ExactCrossing> layer) const {
-    return std::any_of(layer.begin(), layer.end(), [&](const ExactCrossing& c) {
-        return c.zeros == 0 || surrounds(c, layer);
-    });
+    return std::any_of(layer.begin(), layer.end(),
+                       [&](const ExactCrossing& c) { return c.zeros == 0 || surrounds(c, layer); });
 }
 
 ExactAnswer ExactReference::nearest(const Ray& ray) const {

@@ -61,12 +61,13 @@ std::vector<const KernelTable*> availableKernels() {
 std::vector<Hit> tracePackets(const KernelTable& kernels, Precision precision,
                               const ModelView& scene, std::span<const Ray> rays, Filling filling) {
     std::vector<Hit> hits(rays.size());
-    forPackets(rays, filling, [&](const RayPacket& packet, std::span<const int> lanes,
-                                  std::size_t first) {
-        HitPacket result;
-        kernels.intersect[int(precision)](scene, packet, result);
-        for (std::size_t i = 0; i < lanes.size(); ++i) hits[first + i] = laneOf(result, lanes[i]);
-    });
+    forPackets(rays, filling,
+               [&](const RayPacket& packet, std::span<const int> lanes, std::size_t first) {
+                   HitPacket result;
+                   kernels.intersect[int(precision)](scene, packet, result);
+                   for (std::size_t i = 0; i < lanes.size(); ++i)
+                       hits[first + i] = laneOf(result, lanes[i]);
+               });
     return hits;
 }
 
@@ -83,14 +84,14 @@ std::vector<uint8_t> blockedPackets(const KernelTable& kernels, Precision precis
                                     const ModelView& scene, std::span<const Ray> rays,
                                     Filling filling) {
     std::vector<uint8_t> blocked(rays.size());
-    forPackets(rays, filling, [&](const RayPacket& packet, std::span<const int> lanes,
-                                  std::size_t first) {
-        uint32_t mask = 0;
-        kernels.occluded[int(precision)](scene, packet, mask);
-        for (std::size_t i = 0; i < lanes.size(); ++i) {
-            blocked[first + i] = mask >> lanes[i] & 1;
-        }
-    });
+    forPackets(rays, filling,
+               [&](const RayPacket& packet, std::span<const int> lanes, std::size_t first) {
+                   uint32_t mask = 0;
+                   kernels.occluded[int(precision)](scene, packet, mask);
+                   for (std::size_t i = 0; i < lanes.size(); ++i) {
+                       blocked[first + i] = mask >> lanes[i] & 1;
+                   }
+               });
     return blocked;
 }
 

@@ -14,7 +14,9 @@ const float* corner(const Triangle& triangle, uint32_t k) {
     return k == 0 ? triangle.v0 : k == 1 ? triangle.v1 : triangle.v2;
 }
 
-double toGrid(double x) { return std::ldexp(std::nearbyint(std::ldexp(x, 16)), -16); }
+double toGrid(double x) {
+    return std::ldexp(std::nearbyint(std::ldexp(x, 16)), -16);
+}
 
 /// A point on a random triangle. Exact targets on edges are a sixteenth step between grid points.
 std::array<double, 3> pickTarget(std::span<const Triangle> triangles, Target target, Aim aim,
@@ -46,7 +48,9 @@ uint64_t Random::bits() {
     return z ^ (z >> 31);
 }
 
-double Random::unit() { return double(bits() >> 11) * 0x1p-53; }
+double Random::unit() {
+    return double(bits() >> 11) * 0x1p-53;
+}
 
 std::array<double, 3> Random::onSphere() {
     for (;;) {
@@ -185,7 +189,8 @@ std::vector<Ray> cameraRays(const CameraPose& pose, uint32_t width, uint32_t hei
     rays.reserve(std::size_t(width) * height);
     for (uint32_t block = 0; block < width / 4 * (height / 4); ++block) {
         for (uint32_t i = 0; i < 16; ++i) {
-            const uint32_t px = block % (width / 4) * 4 + i % 4, py = block / (width / 4) * 4 + i / 4;
+            const uint32_t px = block % (width / 4) * 4 + i % 4,
+                           py = block / (width / 4) * 4 + i / 4;
             const double x = (2 * (px + 0.5) / width - 1) * wide;
             const double y = (2 * (py + 0.5) / height - 1) * high;
             double target[3];

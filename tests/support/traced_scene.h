@@ -19,7 +19,8 @@ Instance place(ModelPtr model, const glm::dmat4x3& toParent = glm::dmat4x3(1.0))
 
 class TracedScene {
 public:
-    explicit TracedScene(std::vector<Triangle> triangles, Precision precision = Precision::Watertight)
+    explicit TracedScene(std::vector<Triangle> triangles,
+                         Precision precision = Precision::Watertight)
         : TracedScene({place(makeModel(std::move(triangles)))}, precision) {}
     explicit TracedScene(std::vector<Instance> instances,
                          Precision precision = Precision::Watertight);

@@ -57,8 +57,8 @@ int facingInDouble(const std::array<double, 9>& v, const Ray& ray) {
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        sum += ray.dir[k] * ((v[3 + i] - v[i]) * (v[6 + j] - v[j]) -
-                             (v[3 + j] - v[j]) * (v[6 + i] - v[i]));
+        sum += ray.dir[k] *
+               ((v[3 + i] - v[i]) * (v[6 + j] - v[j]) - (v[3 + j] - v[j]) * (v[6 + i] - v[i]));
     }
     return (sum > 0) - (sum < 0);
 }
@@ -91,11 +91,11 @@ Verdict judge(const ExactReference& reference, const ExactAnswer& truth, const R
 
     const double behind = (claim.t - truth.nearest[0].t.get_d()) * length;
     ExactCrossing crossing;
-    const bool real = reference.crosses(claim.triangle, ray, crossing) &&
-                      crossing.t > truth.nearest[0].t;
+    const bool real =
+        reference.crosses(claim.triangle, ray, crossing) && crossing.t > truth.nearest[0].t;
     if (std::abs(behind) <= delta) return real ? Verdict::Order : Verdict::WrongPrim;
-    const bool sameFacing = std::any_of(
-        truth.nearest.begin(), truth.nearest.end(), [&](const ExactCrossing& c) {
+    const bool sameFacing =
+        std::any_of(truth.nearest.begin(), truth.nearest.end(), [&](const ExactCrossing& c) {
             return c.facing == facingInDouble(reference.corners(claim.triangle), ray);
         });
     if (behind > 0) return real || !sameFacing ? Verdict::Through : Verdict::Slide;

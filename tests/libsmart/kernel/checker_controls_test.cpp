@@ -12,15 +12,17 @@
 namespace smart::test {
 namespace {
 
-std::vector<Triangle> grid() { return snapped(icosphere(3), 16); }
+std::vector<Triangle> grid() {
+    return snapped(icosphere(3), 16);
+}
 
 TEST(CheckerControls, APlantedWrongPrimitiveIsFound) {
     const auto mesh = grid();
     const TracedScene scene(mesh);
     const auto rays = raysFromOutside(mesh, 1, 400, Target::Interior, Aim::Rounded, 60);
     const auto truth = scene.truth(rays);
-    const auto hits = tracePackets(kernels(), Precision::Watertight, scene.view(), rays,
-                                   Filling::Full);
+    const auto hits =
+        tracePackets(kernels(), Precision::Watertight, scene.view(), rays, Filling::Full);
     ASSERT_EQ(scene.judgeAll(rays, truth, hits)[Verdict::Right], rays.size());
     const auto planted = [&](auto change) {
         auto wrong = hits;
@@ -69,8 +71,10 @@ struct OneSidedTree {
             uint32_t kept = 0;
             for (uint32_t i = 0; i < count; ++i) {
                 const uint32_t triangle = prims[node.firstPrim + i];
-                if (seen[triangle]++) ++dropped;
-                else prims[node.firstPrim + kept++] = triangle;
+                if (seen[triangle]++)
+                    ++dropped;
+                else
+                    prims[node.firstPrim + kept++] = triangle;
             }
             node.bits = kept << 2 | kKdLeaf;
         }
@@ -93,11 +97,11 @@ TEST(CheckerControls, AOneSidedSplitIsFound) {
     const auto rays = raysFromOutside(mesh, 1, 2000, Target::Edge, Aim::Exact, 62);
     const auto truth = scene.truth(rays);
     for (const KernelTable* table : availableKernels()) {
-        const auto whole = tracePackets(*table, Precision::Watertight, scene.view(), rays,
-                                        Filling::Full);
+        const auto whole =
+            tracePackets(*table, Precision::Watertight, scene.view(), rays, Filling::Full);
         EXPECT_EQ(scene.judgeAll(rays, truth, whole).lost(), 0u);
-        const auto hits = tracePackets(*table, Precision::Watertight, broken.scene, rays,
-                                       Filling::Full);
+        const auto hits =
+            tracePackets(*table, Precision::Watertight, broken.scene, rays, Filling::Full);
         EXPECT_GT(scene.judgeAll(rays, truth, hits).lost(), 0u) << table->name;
     }
 }

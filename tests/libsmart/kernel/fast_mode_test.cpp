@@ -19,10 +19,10 @@ VerdictCounts judgeFast(const std::vector<Triangle>& mesh, std::span<const Ray> 
 TEST(FastMode, InteriorsAreRight) {
     const auto mesh = icosphere(3);
     for (const bool inside : {false, true}) {
-        const auto rays = inside ? raysFromInside(mesh, 1, rayCount(8000), Target::Interior,
-                                                  Aim::Normalised, 50)
-                                 : raysFromOutside(mesh, 1, rayCount(8000), Target::Interior,
-                                                   Aim::Normalised, 51);
+        const auto rays =
+            inside
+                ? raysFromInside(mesh, 1, rayCount(8000), Target::Interior, Aim::Normalised, 50)
+                : raysFromOutside(mesh, 1, rayCount(8000), Target::Interior, Aim::Normalised, 51);
         const VerdictCounts counts = judgeFast(mesh, rays);
         EXPECT_EQ(counts[Verdict::Right], rays.size()) << counts;
         EXPECT_LE(counts.worstT, 64) << counts;

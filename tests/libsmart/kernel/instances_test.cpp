@@ -12,13 +12,19 @@
 namespace smart::test {
 namespace {
 
-glm::dmat4x3 affine(const glm::dmat4& matrix) { return glm::dmat4x3(matrix); }
+glm::dmat4x3 affine(const glm::dmat4& matrix) {
+    return glm::dmat4x3(matrix);
+}
 
 const glm::dmat4 kOne(1.0);
 const glm::dvec3 kAxis(0.36, 0.48, 0.8);
 
-glm::dmat4 rotated(double angle) { return glm::rotate(kOne, angle, kAxis); }
-glm::dmat4 scaled(double x, double y, double z) { return glm::scale(kOne, glm::dvec3(x, y, z)); }
+glm::dmat4 rotated(double angle) {
+    return glm::rotate(kOne, angle, kAxis);
+}
+glm::dmat4 scaled(double x, double y, double z) {
+    return glm::scale(kOne, glm::dvec3(x, y, z));
+}
 glm::dmat4 moved(double x, double y, double z) {
     return glm::translate(kOne, glm::dvec3(x, y, z));
 }
@@ -130,8 +136,7 @@ TEST(Instances, NestedToEveryDepth) {
         std::vector<Instance> children = {
             place(model, affine(moved(1.5, 0, 0) * rotated(0.3 * levels) * scaled(0.6, 0.6, 0.6)))};
         if (levels < 4) {
-            children.push_back(
-                place(model, affine(moved(-1.5, 0.5, 0) * scaled(-0.5, 0.5, 0.75))));
+            children.push_back(place(model, affine(moved(-1.5, 0.5, 0) * scaled(-0.5, 0.5, 0.75))));
         }
         model = makeModel(triangleSoup(20, 0.5f, uint32_t(levels)), std::move(children));
     }
@@ -149,7 +154,7 @@ TEST(Instances, EqualDistancesGoToTheLowestPath) {
             ASSERT_EQ(hit.path[0], 0u);
         }
     }
-    {   // A model's own triangles come before its children, whatever the numbers.
+    { // A model's own triangles come before its children, whatever the numbers.
         const ModelPtr parent = makeModel(mesh, {place(model), place(model)});
         const TracedScene scene({place(parent), place(model)});
         for (const Hit& hit : traceAllWays(scene.view(), rays)) {
@@ -197,8 +202,8 @@ TEST(Instances, VisitsGrowLittleFrom100To10000) {
         for (int i = 0; i < side * side; ++i) {
             const double x = (i % side + 0.5) / side * 2 - 1, y = (i / side + 0.5) / side * 2 - 1;
             const double radius = 0.8 / side;
-            instances.push_back(place(model, affine(moved(x, y, 0) * rotated(i) *
-                                                    scaled(radius, radius, radius))));
+            instances.push_back(
+                place(model, affine(moved(x, y, 0) * rotated(i) * scaled(radius, radius, radius))));
         }
         const Scene scene(std::move(instances), Precision::Watertight, 1);
         HitPacket hits;

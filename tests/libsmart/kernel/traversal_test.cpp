@@ -65,9 +65,8 @@ TEST_P(AimedRays, LoseNothingOnAClosedMesh) {
     const auto mesh = aim == Aim::Exact ? snapped(icosphere(3), 16) : icosphere(3);
     const TracedScene scene(mesh);
     for (const bool inside : {false, true}) {
-        const auto rays = inside
-                              ? raysFromInside(mesh, 1, rayCount(3000), target, aim, 6)
-                              : raysFromOutside(mesh, 1, rayCount(3000), target, aim, 7);
+        const auto rays = inside ? raysFromInside(mesh, 1, rayCount(3000), target, aim, 6)
+                                 : raysFromOutside(mesh, 1, rayCount(3000), target, aim, 7);
         const VerdictCounts counts = checkWatertight(scene, rays, inside ? "inside" : "outside");
         EXPECT_EQ(counts.hits, rays.size());
         EXPECT_EQ(counts.lost(), 0u);
@@ -77,11 +76,10 @@ TEST_P(AimedRays, LoseNothingOnAClosedMesh) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AimedRays,
-                         testing::Combine(testing::Values(Target::Vertex, Target::Edge,
-                                                          Target::Interior),
-                                          testing::Values(Aim::Exact, Aim::Rounded,
-                                                          Aim::Normalised)));
+INSTANTIATE_TEST_SUITE_P(
+    All, AimedRays,
+    testing::Combine(testing::Values(Target::Vertex, Target::Edge, Target::Interior),
+                     testing::Values(Aim::Exact, Aim::Rounded, Aim::Normalised)));
 
 TEST(Traversal, LosesNothingAtAnyScaleAndOffset) {
     for (const double scale : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12}) {
@@ -114,9 +112,10 @@ TEST(Traversal, LosesNothingAtAnyScaleAndOffset) {
         for (Ray& ray : rays) {
             for (int k = 0; k < 3; ++k) ray.org[k] = float(ray.org[k] + by[k]);
         }
-        const VerdictCounts counts = scene.judgeAll(rays, scene.truth(rays),
-                                                    traceAllWays(scene.view(), rays));
-        EXPECT_EQ(counts.lost(), 0u) << counts; // at 1e5 the mesh itself is coarse: count leaks only
+        const VerdictCounts counts =
+            scene.judgeAll(rays, scene.truth(rays), traceAllWays(scene.view(), rays));
+        EXPECT_EQ(counts.lost(), 0u)
+            << counts; // at 1e5 the mesh itself is coarse: count leaks only
         std::cout << "    offset " << offset << ": " << counts << '\n';
     }
 }
@@ -138,12 +137,18 @@ TEST(Traversal, DegenerateTrianglesAreNeverHitAndHarmNoNeighbour) {
         if (i % 2) continue;
         Triangle bad = clean[i];
         switch (i / 2 % 4) {
-        case 0: std::copy(bad.v0, bad.v0 + 3, bad.v1); break;
-        case 1:
-            for (int k = 0; k < 3; ++k) bad.v2[k] = 0.5f * (bad.v0[k] + bad.v1[k]);
-            break;
-        case 2: bad.v1[i % 3] = NAN; break;
-        default: bad.v2[i % 3] = -INFINITY; break;
+            case 0:
+                std::copy(bad.v0, bad.v0 + 3, bad.v1);
+                break;
+            case 1:
+                for (int k = 0; k < 3; ++k) bad.v2[k] = 0.5f * (bad.v0[k] + bad.v1[k]);
+                break;
+            case 2:
+                bad.v1[i % 3] = NAN;
+                break;
+            default:
+                bad.v2[i % 3] = -INFINITY;
+                break;
         }
         mesh.push_back(bad);
     }
