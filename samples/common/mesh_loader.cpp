@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "samples/common/confined_folder.h"
@@ -55,6 +56,22 @@ private:
     std::size_t position_ = 0;
 };
 
+/// A material library from its first material on: assimp follows a null pointer where a property
+/// belongs to none.
+std::vector<uint8_t> fromFirstMaterial(const std::vector<uint8_t>& bytes) {
+    constexpr std::string_view kKeyword = "newmtl ";
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    for (std::size_t line = 0; line < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", line), text.size());
+        const bool named = end - line > kKeyword.size() && text[line + kKeyword.size()] > ' ';
+        if (named && text.substr(line).starts_with(kKeyword)) {
+            return {bytes.begin() + std::ptrdiff_t(line), bytes.end()};
+        }
+        line = end + 1;
+    }
+    return {};
+}
+
 /// What assimp may open: the scene file itself, already read, and files of its folder.
 class ConfinedSystem final : public Assimp::IOSystem {
 public:
@@ -76,7 +93,8 @@ public:
     Assimp::IOStream* Open(const char* file, const char*) override {
         if (file == name_) return new MemoryStream(bytes_);
         try {
-            return new MemoryStream(folder_.read(file));
+            // The only other files that assimp asks for are material libraries.
+            return new MemoryStream(fromFirstMaterial(folder_.read(file)));
         } catch (const RefusedName& error) {
             if (!refusal_) refusal_ = error;
         } catch (const LoadError&) {
@@ -137,11 +155,7 @@ private:
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
             const aiFace& face = mesh.mFaces[i];
             if (face.mNumIndices != 3) continue;
-            const unsigned* corner = face.mIndices;
-            if (std::max({corner[0], corner[1], corner[2]}) >= mesh.mNumVertices) {
-                throw LoadError("a face refers to a vertex that is not there");
-            }
-            part.indices.insert(part.indices.end(), corner, corner + 3);
+            part.indices.insert(part.indices.end(), face.mIndices, face.mIndices + 3);
         }
         return part;
     }
@@ -205,20 +219,38 @@ bool allFinite(const aiScene& scene) {
     return true;
 }
 
+/// Assimp's later steps follow indices without a look at them.
+void checkFaces(const aiScene& scene) {
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene.mMeshes[i];
+        for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
+            const aiFace& face = mesh.mFaces[k];
+            if (face.mNumIndices == 0) throw LoadError("a face has no vertices");
+            if (*std::max_element(face.mIndices, face.mIndices + face.mNumIndices) >=
+                mesh.mNumVertices) {
+                throw LoadError("a face refers to a vertex that is not there");
+            }
+        }
+    }
+}
+
 } // namespace
 
 SceneDescription loadMesh(const std::filesystem::path& path) {
     std::vector<uint8_t> bytes = readWholeFile(path, kMaxFileBytes);
-    if (bytes.size() >= 3 && std::memcmp(bytes.data(), "ply", 3) == 0) checkPlyHeader(bytes);
+    const std::string ending = path.extension().string();
+    if (ending == ".ply" || ending == ".PLY") checkPlyHeader(bytes);
     Assimp::Importer importer;
     auto* system = new ConfinedSystem(path, std::move(bytes)); // the importer's from here on
     importer.SetIOHandler(system);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 45.0f);
-    const aiScene* scene =
-        importer.ReadFile(system->name(), aiProcess_Triangulate | aiProcess_SortByPType);
+    const aiScene* scene = importer.ReadFile(system->name(), 0);
     if (system->refusal()) throw *system->refusal();
+    if (!scene) throw LoadError(importer.GetErrorString());
+    checkFaces(*scene);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
     if (!scene) throw LoadError(importer.GetErrorString());
     // Sorting by place, which smooth normals take, needs numbers.
     if (allFinite(*scene)) {

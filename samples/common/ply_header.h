@@ -6,8 +6,8 @@
 
 namespace samples {
 
-/// Compares what the header of a PLY file announces with the size of the file, so that nobody
-/// loops over, or makes room for, elements that are not there. Throws LoadError.
+/// Checks that the header of a PLY file is well formed and announces no more than the file holds:
+/// assimp loops over, and follows, whatever stands there. Throws LoadError.
 void checkPlyHeader(std::span<const uint8_t> bytes);
 
 } // namespace samples

@@ -97,6 +97,10 @@ TEST(PlyHeader, ComparesCountsWithTheSize) {
     EXPECT_THROW(check(file("99999999999999999999", "1")), LoadError);
     EXPECT_THROW(check(file("-1", "1")), LoadError);
     EXPECT_THROW(check("ply\nformat ascii 1.0\n"), LoadError);
+    EXPECT_THROW(check("ply\nformat ascii 1.0\nelement vertex 0\nproperty\nend_header\n"),
+                 LoadError);
+    EXPECT_THROW(check("ply\nformat ascii 1.0\nelement vertex 0\nend_header"), LoadError);
+    EXPECT_THROW(check("ply\nformat ascii 1.0\nproperty float x\nend_header\n"), LoadError);
     EXPECT_THROW(check("plx"), LoadError);
 }
 
