@@ -120,7 +120,7 @@ TEST(Instances, ManyOfOneModelAndOfSeveral) {
 }
 
 TEST(Instances, NestedToEveryDepth) {
-    ModelPtr model = makeModel(icosphere(3));
+    ModelPtr model = makeModel(icosphere(1));
     for (int levels = 1; levels <= kMaxLevels; ++levels) {
         // Each level adds its own triangles and places the level below twice.
         const TracedScene scene({place(model, affine(moved(0.5, 0.25, -1) * rotated(0.5)))});
