@@ -30,6 +30,45 @@ glm::vec3 normalized(const float direction[3]) {
     return glm::vec3(d / length);
 }
 
+/// The surfaces that a ray passes, each once: the test in float may find a triangle again just
+/// behind where it was found, and at an edge it finds both triangles.
+class Crossings {
+public:
+    /// Whether the hit is another surface than those before it.
+    bool add(const Hit& hit) {
+        for (int i = 0; i < count_; ++i)
+            if (hit.triangle == recent_[i].triangle && samePath(hit, recent_[i])) return repeated();
+        if (count_ > 0 && samePath(hit, recent_[newest_]) &&
+            hit.t <= recent_[newest_].t * (1.0f + kSamePlace))
+            return repeated();
+        newest_ = (newest_ + 1) % kRecent;
+        recent_[newest_] = hit;
+        count_ = std::min(count_ + 1, kRecent);
+        step_ = 0x1p-23f;
+        return true;
+    }
+    /// Where to look for the next one.
+    float beyond(const Hit& hit) const {
+        return std::max(std::nextafter(hit.t, kInfinity), hit.t * (1.0f + step_));
+    }
+
+private:
+    static constexpr int kRecent = 4;
+    static constexpr float kSamePlace = 0x1p-20f; ///< hits of one instance, as a share of t
+
+    static bool samePath(const Hit& a, const Hit& b) {
+        return a.levels == b.levels && std::equal(a.path, a.path + a.levels, b.path);
+    }
+    bool repeated() {
+        step_ *= 2; // the float test's error is a few units in the last place, seldom more
+        return false;
+    }
+
+    Hit recent_[kRecent];
+    int count_ = 0, newest_ = kRecent - 1;
+    float step_ = 0x1p-23f;
+};
+
 template <class Vector>
 void copy(float (&to)[3], const Vector& from) {
     for (int k = 0; k < 3; ++k) to[k] = from[k];
@@ -171,13 +210,14 @@ glm::vec4 ShadingServices::shadeMiss(const Ray& ray, uint32_t depth, float weigh
 // What transparent surfaces leave of the light: the nearest hits one after the other.
 glm::vec3 ShadingServices::attenuate(Ray ray, const RTSstate& from) {
     glm::vec3 product(1.0f);
+    Crossings crossings;
     for (int i = 0; i < kMaxTransparentHits; ++i) {
         ++counters_.shadowRays;
         const Hit hit = findHit(ray);
         if (hit.triangle == kNoHit) return product;
-        product *= transparency(ray, hit, from);
+        if (crossings.add(hit)) product *= transparency(ray, hit, from);
         if (product == glm::vec3(0.0f)) return product;
-        ray.tNear = std::nextafter(hit.t, kInfinity);
+        ray.tNear = crossings.beyond(hit);
     }
     return glm::vec3(0.0f);
 }
