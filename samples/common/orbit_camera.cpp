@@ -46,4 +46,10 @@ void OrbitCamera::zoom(float factor) {
     view_.eye = view_.target + (view_.eye - view_.target) / factor;
 }
 
+void OrbitCamera::focus(float distance) {
+    for (View* view : {&start_, &view_}) {
+        view->target = view->eye + glm::normalize(view->target - view->eye) * distance;
+    }
+}
+
 } // namespace samples

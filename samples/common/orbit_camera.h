@@ -16,6 +16,8 @@ public:
     void pan(float right, float up);
     /// Above 1: nearer.
     void zoom(float factor);
+    /// Circles from now on around the point at this distance in the middle of the picture.
+    void focus(float distance);
     void reset() { view_ = start_; }
     const View& view() const { return view_; }
 

@@ -154,9 +154,8 @@ int main(int argc, char* argv[]) {
     app.add_option("--frames", options.frames, "renders this often, for timing")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    app.add_option("--stats", options.stats, "prints statistics: text or json")
-        ->expected(0, 1)
-        ->default_str("text")
+    // A flag, so that what follows it is not taken for its value.
+    app.add_flag("--stats{text}", options.stats, "prints statistics; --stats=json as JSON")
         ->check(CLI::IsMember({"text", "json"}));
     return samples::runProgram(app, argc, argv, &run);
 }

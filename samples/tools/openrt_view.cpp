@@ -9,10 +9,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "samples/common/orbit_camera.h"
@@ -146,8 +150,9 @@ private:
 /// Renders one picture while the one before is shown.
 class FrameLoop {
 public:
-    FrameLoop(Window& window, Controls& controls, const samples::RtScene& scene)
-        : window_(window), controls_(controls), scene_(scene) {}
+    /// findFocus: the camera is to circle around what the middle of the first picture shows.
+    FrameLoop(Window& window, Controls& controls, const samples::RtScene& scene, bool findFocus)
+        : window_(window), controls_(controls), scene_(scene), findFocus_(findFocus) {}
 
     void run() {
         while (!glfwWindowShouldClose(window_.handle())) {
@@ -191,10 +196,26 @@ private:
         next_.rgba.resize(std::size_t(next_.size.width) * next_.size.height * 4);
         rtSetFrameBuffer(next_.rgba.data(), next_.size.width, next_.size.height, RT_RGBA_8);
         scene_.describeFrame(controls_.camera.view(), whole.aspect());
+        if (std::exchange(findFocus_, false)) focus();
         startTime_ = Clock::now();
         rtStartRendering();
         samples::checkRt();
         inFlight_ = true;
+    }
+
+    /// Shoots a ray through the middle of the scene that was just described.
+    void focus() {
+        const samples::View& view = controls_.camera.view();
+        const glm::vec3 forward = glm::normalize(view.target - view.eye);
+        const RTray ray{{view.eye.x, view.eye.y, view.eye.z}, 0.0f,
+                        {forward.x, forward.y, forward.z},
+                        std::numeric_limits<float>::infinity()};
+        RThit hit{};
+        const RTuint compiled = rtCompileScene();
+        rtIntersect(compiled, &ray, &hit, 1, RT_INCOHERENT);
+        rtReleaseScene(compiled);
+        samples::checkRt();
+        if (std::isfinite(hit.t) && hit.t > 0.0f) controls_.camera.focus(hit.t);
     }
 
     void finish() {
@@ -226,7 +247,7 @@ private:
     Clock::time_point startTime_{}, titleTime_{};
     double seconds_ = 0, smoothed_ = 0;
     uint32_t divisor_ = 1, rendered_ = 0;
-    bool inFlight_ = false;
+    bool inFlight_ = false, findFocus_;
 };
 
 int run() {
@@ -244,7 +265,7 @@ int run() {
     Window window(size, controls);
     const samples::RtScene scene(description, bounds, controls.camera.view(), lighting);
     rtEnable(RT_FRAMEBUFFER_SRGB);
-    FrameLoop(window, controls, scene).run();
+    FrameLoop(window, controls, scene, !wantedView && !description.cameras.empty()).run();
     rtExit();
     return 0;
 }

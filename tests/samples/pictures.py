@@ -121,7 +121,7 @@ class Pictures(unittest.TestCase):
         self.assertEqual(len(numbers["all_frame_seconds"]), 3)
         self.assertEqual(numbers["frame_seconds"], min(numbers["all_frame_seconds"]))
         self.assertGreaterEqual(numbers["duplication"], 1.0)
-        text = self.runner.run(scene, "--stats")
+        text = self.runner.run("--stats", scene)
         self.assertEqual(text.returncode, 0)
         for name in (b"triangles", b"instances", b"tree nodes", b"leaves", b"duplication",
                      b"bytes a triangle", b"build seconds", b"primary rays", b"shadow rays",

@@ -82,6 +82,17 @@ TEST(OrbitCamera, OrbitsAtConstantDistanceAndStopsAtThePoles) {
     EXPECT_EQ(camera.view().eye, start.eye);
 }
 
+TEST(OrbitCamera, FocusMovesTheCentreAndNotThePicture) {
+    View start;
+    start.eye = {0, 0, 4};
+    OrbitCamera camera(start);
+    camera.focus(10.0f);
+    EXPECT_EQ(camera.view().eye, start.eye);
+    EXPECT_EQ(camera.view().target, glm::vec3(0, 0, -6));
+    camera.orbit(glm::radians(180.0f), 0);
+    EXPECT_LT(glm::distance(camera.view().eye, glm::vec3(0, 0, -16)), 1e-4f);
+}
+
 TEST(OrbitCamera, PanningMovesTheTargetWithThePointer) {
     View start;
     start.eye = {0, 0, 4};
