@@ -56,7 +56,7 @@ RtScene::RtScene(const SceneDescription& scene, const Bounds& bounds, const View
         shaders.push_back(surface(scene, material));
     }
     MaterialDescription plain;
-    plain.baseColor = {0.8f, 0.8f, 0.8f, 1.0f};
+    plain.baseColor = {0.55f, 0.55f, 0.55f, 1.0f};
     shaders.push_back(surface(scene, plain)); // the last one: for parts without a material
     std::vector<RTuint> objects;
     for (const MeshDescription& mesh : scene.meshes) objects.push_back(object(mesh, shaders));

@@ -52,12 +52,24 @@ View defaultView(const SceneDescription& scene, const Bounds& bounds, float aspe
         return view;
     }
     if (bounds.empty()) return view;
-    const float radius = std::max(bounds.diagonal() * 0.5f, 1e-30f);
-    const float halfFov = glm::radians(view.fovDegrees) * 0.5f;
-    const float narrower = std::atan(std::tan(halfFov) * std::min(aspect, 1.0f));
+    // As near as the box's corners allow.
+    constexpr float kMargin = 1.06f;
+    const glm::vec3 arm = glm::normalize(glm::vec3(0.55f, 0.4f, 1.0f));
+    const glm::vec3 side = glm::normalize(glm::cross(view.up, arm));
+    const glm::vec3 above = glm::cross(arm, side);
+    const float tanHigh = std::tan(glm::radians(view.fovDegrees) * 0.5f);
+    const float tanWide = tanHigh * aspect;
+    float distance = std::numeric_limits<float>::min();
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p = glm::vec3(corner & 1 ? bounds.high.x : bounds.low.x,
+                                      corner & 2 ? bounds.high.y : bounds.low.y,
+                                      corner & 4 ? bounds.high.z : bounds.low.z) -
+                            bounds.centre();
+        distance = std::max({distance, glm::dot(p, arm) + std::abs(glm::dot(p, side)) / tanWide,
+                             glm::dot(p, arm) + std::abs(glm::dot(p, above)) / tanHigh});
+    }
     view.target = bounds.centre();
-    view.eye = view.target +
-               glm::normalize(glm::vec3(0.55f, 0.4f, 1.0f)) * (radius / std::sin(narrower));
+    view.eye = view.target + arm * (distance * kMargin);
     return view;
 }
 

@@ -139,7 +139,7 @@ int run() {
     if (statistics.droppedTriangles + statistics.droppedInstances > 0) {
         std::cerr << "note: " << statistics.droppedTriangles << " triangles and "
                   << statistics.droppedInstances
-                  << " instances with impossible numbers are left out\n";
+                  << " instances are left out: without area, or with numbers that are not finite\n";
     }
     printStatistics(statistics);
     return 0;
