@@ -5,6 +5,10 @@ include(CMakePackageConfigHelpers)
 install(TARGETS OpenRT EXPORT OpenRTTargets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS smart EXPORT OpenRTSmartTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/libsmart DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/openrt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(FILES ${PROJECT_BINARY_DIR}/include/openrt/version.h
@@ -18,6 +22,11 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/OpenRTConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/OpenRTConfig.cmake
     ${PROJECT_BINARY_DIR}/OpenRTConfigVersion.cmake DESTINATION ${openrt_cmake_dir})
 install(EXPORT OpenRTTargets NAMESPACE OpenRT:: DESTINATION ${openrt_cmake_dir})
+install(EXPORT OpenRTSmartTargets NAMESPACE OpenRT:: DESTINATION ${openrt_cmake_dir})
+
+# The .pc files find their prefix from where they lie: the tree may be installed anywhere.
+file(RELATIVE_PATH openrt_prefix_from_pc
+    /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 
 foreach(package openrt openrt-shader)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in
