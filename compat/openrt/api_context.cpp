@@ -41,8 +41,7 @@ private:
 
 RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
     try {
-        if (const Context* context = currentContext())
-            const_cast<Context*>(context)->recorder().requireOutsidePrimitive();
+        if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
         const InitOptions options = takeInitArguments(argcp, argv);
         resetDefaultContext(options.threads);
         FrameSettings& settings = currentContext()->recorder().frameSettings();

@@ -39,8 +39,8 @@ ContextTable& table() {
 /// Counts destroyAllContexts: what was current before no longer is.
 std::atomic<uint64_t> endings{0};
 
-/// Keeps the calling thread's context. The pointer that the calls read is apart, so that reading
-/// it costs no check for construction.
+/// Keeps the calling thread's context. The pointer that every call reads is apart, and in the
+/// part of thread-local memory that is found without a call.
 struct Holder {
     Entry entry;
     ContextId id = 0;
@@ -48,8 +48,8 @@ struct Holder {
     void release() noexcept;
 };
 thread_local Holder holder;
-thread_local Context* current = nullptr;
-thread_local uint64_t currentSince = 0;
+[[gnu::tls_model("initial-exec")]] thread_local Context* current = nullptr;
+[[gnu::tls_model("initial-exec")]] thread_local uint64_t currentSince = 0;
 
 void Holder::release() noexcept {
     current = nullptr;

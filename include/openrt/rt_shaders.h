@@ -39,7 +39,7 @@ RTAPI void RTAPIENTRY rtBindShaderClass(RTuint shaderClass);
 RTAPI void RTAPIENTRY rtRemoveShaderClass(RTuint shaderClass);
 
 /* A new shader of the bound class, with the class's defaults; binds it. RT_INVALID on error.
- * Errors:  RT_INVALID_OPERATION  no class bound, or its constructor failed
+ * Errors:  RT_INVALID_OPERATION  no class bound
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtGenNewShader(void);
 
@@ -50,7 +50,7 @@ RTAPI RTuint RTAPIENTRY rtGenNewShader(void);
 RTAPI void RTAPIENTRY rtBindShader(RTuint shader);
 
 /* Forgets a shader id; objects, frames and this frame's lights that use the shader keep it. If it
- * was bound, shader 0 and its class are bound now.
+ * was bound, shader 0 is bound now; the bound class stays.
  * Errors:  RT_INVALID_VALUE  unknown shader, or 0
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtRemoveShader(RTuint shader);
