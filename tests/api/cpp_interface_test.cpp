@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// openrt/rt.hpp: overloads by type, and a shader class that is a C++ type.
+#include "openrt/rt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace {
+
+struct Glow {
+    openrt::Color color{1, 1, 1};
+    bool inverted = false;
+
+    void registerParams(const openrt::ShaderRegistrator& r) const {
+        r.registerParam<openrt::Color>("color", openrt::PER_SHADER, offsetof(Glow, color));
+        r.registerParam<bool>("inverted", openrt::PER_SHADER, offsetof(Glow, inverted));
+    }
+    void shade(openrt::TraceContext& c) const {
+        c.setRadiance(inverted ? openrt::Color(1.0f) - color : color);
+    }
+};
+
+struct Broken {
+    Broken() { throw std::runtime_error("no Broken today"); }
+    void shade(openrt::TraceContext&) const {}
+};
+
+struct Throwing {
+    void shade(openrt::TraceContext&) const { throw 1; }
+};
+
+class CppInterface : public testing::Test {
+protected:
+    CppInterface() {
+        rtInit(nullptr, nullptr);
+        rtThreads(1);
+        rtSetFrameBuffer(reinterpret_cast<RTubyte*>(pixel_), 1, 1, RT_RGB_32F);
+    }
+    ~CppInterface() override { rtExit(); }
+
+    openrt::Color render() {
+        rtBegin(RT_TRIANGLES);
+        rtVertex(openrt::Vec2(-9, -9));
+        rtVertex(openrt::Vec3(9, -9, 0));
+        rtVertex(openrt::Vec4(0, 18, 0, 2));
+        rtEnd();
+        rtRender();
+        return openrt::Color(pixel_);
+    }
+
+    float pixel_[3] = {};
+};
+
+TEST_F(CppInterface, ShaderClassesAreTypes) {
+    ASSERT_NE(rtGenNewShaderClass<Glow>("Glow"), RT_INVALID);
+    rtGenNewShader();
+    EXPECT_EQ(render(), openrt::Color(1.0f));
+    rtParameter(rtParameterHandle("color"), openrt::Color(1, 0.5f, 0));
+    EXPECT_EQ(render(), openrt::Color(1, 0.5f, 0));
+    rtParameter(rtParameterHandle("inverted"), true);
+    EXPECT_EQ(render(), openrt::Color(0, 0.5f, 1));
+    ASSERT_NE(rtGenNewShaderClass("Glow", nullptr), RT_INVALID) << "known by its name now";
+    ASSERT_NE(rtGenNewShaderClass<Glow>(), RT_INVALID);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+}
+
+TEST_F(CppInterface, FaultsOfShadersCostPixelsOnly) {
+    EXPECT_THROW(rtGenNewShaderClass<Broken>("Broken"), std::runtime_error);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    rtGenNewShaderClass<Throwing>("Throwing");
+    rtGenNewShader();
+    EXPECT_EQ(render(), openrt::Color(0.0f));
+    RTint bad = 0;
+    rtGetIntegerv(RT_STAT_BAD_PIXELS, &bad);
+    EXPECT_EQ(bad, 1);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+}
+
+TEST_F(CppInterface, OverloadsSetTheirState) {
+    float v[16];
+    rtColor(openrt::Color(0.5f, 0.25f, 0));
+    rtGetFloatv(RT_CURRENT_COLOR, v);
+    EXPECT_EQ(openrt::Vec4(v), openrt::Vec4(0.5f, 0.25f, 0, 1));
+    rtColor(openrt::Vec4(0, 0, 0, 0.5f));
+    rtGetFloatv(RT_CURRENT_COLOR, v);
+    EXPECT_EQ(v[3], 0.5f);
+    rtNormal(openrt::Vec3(1, 2, 3));
+    rtGetFloatv(RT_CURRENT_NORMAL, v);
+    EXPECT_EQ(openrt::Vec3(v), openrt::Vec3(1, 2, 3));
+    rtTexCoord(openrt::Vec2(4, 5));
+    rtGetFloatv(RT_CURRENT_TEXTURE_COORDS, v);
+    EXPECT_EQ(openrt::Vec4(v), openrt::Vec4(4, 5, 0, 1));
+    openrt::Mat4 m;
+    m.m[12] = 7;
+    rtLoadMatrix(m);
+    rtTranslate({1, 0, 0});
+    rtScale({2, 2, 2});
+    rtRotate(90, {0, 0, 1});
+    rtMultMatrix(m);
+    rtGetFloatv(RT_MODELVIEW_MATRIX, v);
+    EXPECT_EQ(openrt::Mat4(v)(0, 3), 8); // 7 + 1, and 7 turned to y and doubled
+    EXPECT_EQ(openrt::Mat4(v)(1, 3), 14);
+    EXPECT_EQ(openrt::Mat4(v)(1, 0), 2);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+}
+
+} // namespace
