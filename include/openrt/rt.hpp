@@ -23,7 +23,8 @@
 #include "openrt/vectors.hpp"
 
 /// Registers the shader class T of this program, and binds it as rtGenNewShaderClass does.
-/// Throws what T's constructor and registerParams throw.
+/// A constructor that throws is RT_INVALID_VALUE; of a class with registerParams it, and what
+/// registerParams throws, come out here.
 template <class T>
 RTuint rtGenNewShaderClass(const char* name = typeid(T).name()) {
     return rtRegisterShaderClass(openrt::shaderClass<T>(name));
