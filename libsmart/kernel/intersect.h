@@ -24,7 +24,8 @@ public:
         : triangles_(model.triangles),
           kx_((group.dominantAxis + 1) % 3),
           ky_((group.dominantAxis + 2) % 3),
-          kz_(group.dominantAxis) {
+          kz_(group.dominantAxis),
+          rays_(rays) {
         const Real<N> one(1.0f);
         ox_ = Real<N>::load(rays.org[kx_]);
         oy_ = Real<N>::load(rays.org[ky_]);
@@ -32,6 +33,9 @@ public:
         sz_ = one / Real<N>::load(rays.dir[kz_]);
         sx_ = Real<N>::load(rays.dir[kx_]) / Real<N>::load(rays.dir[kz_]);
         sy_ = Real<N>::load(rays.dir[ky_]) / Real<N>::load(rays.dir[kz_]);
+        // Weights of slivers err in float, and t with them, by a share of the triangle's depth.
+        doubtful_ = magnitude(sz_) * (Real<N>(model.tree.maxAbs) + magnitude(oz_)) *
+                    Real<N>(0x1p-10f);
     }
 
     /// Lanes of `active` that meet the triangle's plane inside it, and where. Limits are not
@@ -65,6 +69,8 @@ public:
             const Sheared sheared = {{ax, ay, az}, {bx, by, bz}, {cx, cy, cz}};
             decideExactly(sheared, undecided.bits(), inside, t);
         }
+        const Mask<N> atStart = inside & (magnitude(t) <= doubtful_);
+        if (any(atStart)) placeExactly(triangle, atStart.bits(), t);
         return inside;
     }
 
@@ -100,9 +106,37 @@ private:
         t = Real<N>::load(result);
     }
 
+    /// Distances of the given lanes again in double: whether the surface lies before or behind
+    /// the start of the ray must not be left to float, or surfaces shadow themselves.
+    [[gnu::noinline]] void placeExactly(const Triangle& triangle, uint32_t lanes,
+                                        Real<N>& t) const {
+        double e1[3], e2[3], n[3];
+        for (int k = 0; k < 3; ++k) {
+            e1[k] = double(triangle.v1[k]) - triangle.v0[k];
+            e2[k] = double(triangle.v2[k]) - triangle.v0[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            n[k] = e1[i] * e2[j] - e1[j] * e2[i];
+        }
+        alignas(64) float result[N];
+        t.store(result);
+        for (; lanes; lanes &= lanes - 1) {
+            const int i = lowestBit(lanes);
+            double depth = 0, slope = 0;
+            for (int k = 0; k < 3; ++k) {
+                depth += (double(triangle.v0[k]) - rays_.org[k][i]) * n[k];
+                slope += rays_.dir[k][i] * n[k];
+            }
+            if (slope != 0) result[i] = float(depth / slope);
+        }
+        t = Real<N>::load(result);
+    }
+
     const Triangle* triangles_;
     int kx_, ky_, kz_;
-    Real<N> ox_, oy_, oz_, sx_, sy_, sz_;
+    const LocalRays<N>& rays_;
+    Real<N> ox_, oy_, oz_, sx_, sy_, sz_, doubtful_;
 };
 
 /// Wald, "Realtime ray tracing and interactive global illumination", PhD thesis 2004, section

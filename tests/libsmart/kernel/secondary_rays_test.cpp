@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Rays that start on surfaces: nothing shadows itself, nothing lets rays through. An origin lies
+// 4 units in the last place of its largest coordinate off the point that the barycentrics give.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/libsmart/kernel/engine_check.h"
+#include "tests/libsmart/kernel/test_size.h"
+#include "tests/support/procedural_meshes.h"
+#include "tests/support/ray_sets.h"
+
+namespace smart::test {
+namespace {
+
+/// Prism of long thin sides about the y axis, closed, facing outward.
+std::vector<Triangle> prism(uint32_t sides, double radius, double halfHeight) {
+    IndexedMesh mesh;
+    for (uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2 * 3.14159265358979323846 * i / sides;
+        for (const double y : {-halfHeight, halfHeight}) {
+            mesh.addVertex(radius * std::cos(angle), y, -radius * std::sin(angle));
+        }
+    }
+    const uint32_t bottom = mesh.addVertex(0, -halfHeight, 0);
+    const uint32_t top = mesh.addVertex(0, halfHeight, 0);
+    for (uint32_t i = 0; i < sides; ++i) {
+        const uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+        mesh.addQuad(a, b, b + 1, a + 1);
+        mesh.addTriangle(bottom, b, a);
+        mesh.addTriangle(top, a + 1, b + 1);
+    }
+    return mesh.triangles();
+}
+
+/// From random points of the mesh, `side` = 1 outward, -1 inward, at most about 84 degrees from
+/// the normal.
+std::vector<Ray> raysOffSurface(const std::vector<Triangle>& mesh, double side, std::size_t count) {
+    Random random(80);
+    std::vector<Ray> rays;
+    while (rays.size() < count) {
+        const Triangle& triangle = mesh[random.below(uint32_t(mesh.size()))];
+        double u = random.unit(), v = random.unit();
+        if (u + v > 1) {
+            u = 1 - u;
+            v = 1 - v;
+        }
+        const std::array<double, 3> toward = random.onSphere();
+        double point[3], normal[3], square = 0, cosine = 0, largest = 0;
+        for (int k = 0; k < 3; ++k) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            point[k] = (1 - u - v) * triangle.v0[k] + u * triangle.v1[k] + v * triangle.v2[k];
+            normal[k] = (double(triangle.v1[i]) - triangle.v0[i]) *
+                            (double(triangle.v2[j]) - triangle.v0[j]) -
+                        (double(triangle.v1[j]) - triangle.v0[j]) *
+                            (double(triangle.v2[i]) - triangle.v0[i]);
+            square += normal[k] * normal[k];
+            cosine += normal[k] * toward[std::size_t(k)];
+            largest = std::max(largest, std::abs(point[k]));
+        }
+        const double length = std::sqrt(square);
+        if (side * cosine < 0.1 * length) continue;
+        Ray ray{{}, {}, 0, INFINITY};
+        for (int k = 0; k < 3; ++k) {
+            ray.org[k] = float(point[k] + side * 4 * 0x1p-23 * largest * normal[k] / length);
+            ray.dir[k] = float(toward[std::size_t(k)]);
+        }
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+void expectNoAcneAndNoLeak(const std::vector<Triangle>& mesh, const char* name) {
+    SCOPED_TRACE(name);
+    const Scene scene({place(makeModel(mesh))}, Precision::Watertight, 1);
+    const std::size_t count = rayCount(5000);
+    std::size_t shadowed = 0, escaped = 0;
+    for (const Hit& hit : traceAllWays(scene.view(), raysOffSurface(mesh, 1, count))) {
+        shadowed += hit.triangle != kNoHit;
+    }
+    for (const Hit& hit : traceAllWays(scene.view(), raysOffSurface(mesh, -1, count))) {
+        escaped += hit.triangle == kNoHit;
+    }
+    EXPECT_EQ(shadowed, 0u) << "of " << count;
+    EXPECT_EQ(escaped, 0u) << "of " << count;
+}
+
+TEST(SecondaryRays, NeitherShadowThemselvesNorLeakOnConvexMeshes) {
+    expectNoAcneAndNoLeak(icosphere(4), "sphere");
+    expectNoAcneAndNoLeak(prism(64, 1, 8), "prism");
+    expectNoAcneAndNoLeak(prism(1024, 1, 8), "prism of slivers");
+    auto moved = prism(256, 1, 4);
+    for (Triangle& triangle : moved) {
+        for (float* v : {triangle.v0, triangle.v1, triangle.v2}) v[0] += 100;
+    }
+    expectNoAcneAndNoLeak(moved, "prism far from the origin");
+}
+
+} // namespace
+} // namespace smart::test
