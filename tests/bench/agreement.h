@@ -23,7 +23,7 @@ std::vector<Mistakes> judgeAny(const std::vector<Triangle>& triangles, const Ray
                                std::span<const EnginePtr> engines,
                                std::span<const std::vector<uint32_t>> blocked);
 
-/// More wrong answers than this share of the rays, and a speed means nothing.
+/// More wrong answers than this share of the rays, and our speed means nothing.
 inline constexpr double kWrongLimit = 1e-6;
 
 } // namespace smart::bench

@@ -83,7 +83,8 @@ Series measure(const std::vector<Triangle>& triangles, const RaySet& rays, Kind 
     for (std::size_t e = 0; e < engines.size(); ++e) {
         Result& result = series.results[e];
         result.mistakes = mistakes[e];
-        result.refused = double(mistakes[e].wrong) > kWrongLimit * double(rays.active);
+        result.refused =
+            !result.peer && double(mistakes[e].wrong) > kWrongLimit * double(rays.active);
     }
     return series;
 }

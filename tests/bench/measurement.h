@@ -16,7 +16,9 @@ struct Result {
     bool peer = false;
     std::vector<double> mraysPerSecond; ///< one for each repeat
     Mistakes mistakes;
-    bool refused = false; ///< too many wrong answers: the speeds mean nothing
+    /// Too many wrong answers: the speeds mean nothing. A peer stays the yardstick that it is, its
+    /// wrong answers printed beside.
+    bool refused = false;
 
     double median() const;
 };

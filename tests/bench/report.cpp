@@ -11,11 +11,11 @@ const char* nameOf(Kind kind) {
     return kind == Kind::Primary ? "primary" : "shadow";
 }
 
-/// The fastest peer whose answers are right; 0 if there is none.
+/// The fastest peer; 0 if there is none.
 double bestPeer(const Series& series) {
     double best = 0;
     for (const Result& result : series.results) {
-        if (result.peer && !result.refused) best = std::max(best, result.median());
+        if (result.peer) best = std::max(best, result.median());
     }
     return best;
 }
