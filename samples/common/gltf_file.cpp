@@ -56,14 +56,29 @@ std::string_view jsonText(std::span<const uint8_t> bytes, bool binary) {
     return text(kHeader + kChunkHeader, word(12));
 }
 
-/// Parsed with a limit on nesting, which tinygltf and its values lack: they recurse.
+/// tinygltf and its values recurse into JSON without a limit.
+void checkDepth(std::string_view text) {
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inString) {
+            if (c == '\\') ++i;
+            if (c == '"') inString = false;
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > kMaxJsonDepth) throw LoadError("its JSON is nested too deeply");
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+}
+
 json parseJson(std::string_view text) {
-    const auto limitDepth = [](int depth, json::parse_event_t, json&) {
-        if (depth > kMaxJsonDepth) throw LoadError("its JSON is nested too deeply");
-        return true;
-    };
+    checkDepth(text);
     try {
-        json root = json::parse(text.begin(), text.end(), limitDepth);
+        json root = json::parse(text.begin(), text.end());
         if (!root.is_object()) throw LoadError("its JSON is not an object");
         return root;
     } catch (const json::exception& error) {

@@ -154,6 +154,9 @@ class HostileInputs(unittest.TestCase):
             text = json.dumps(deep)[:-1] + ',"extras":' + "[" * depth + "]" * depth + "}"
             self.refused("deep.gltf", text, "nested")
             self.refused("open.gltf", '{"extras":' + '{"a":' * depth)
+        flat = document()  # control: many brackets, none deep, some in strings
+        flat["extras"] = [[], {}, "[[[[{{{{\\\""] * 2000
+        self.runner.picture(self.write("flat.gltf", flat))
 
     def test_uris_that_lead_out(self):
         (self.folder / "scene").mkdir()

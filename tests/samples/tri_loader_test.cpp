@@ -13,7 +13,9 @@ namespace {
 std::vector<uint8_t> triFile(uint32_t count, const std::vector<float>& floats) {
     std::vector<uint8_t> bytes(sizeof count + floats.size() * sizeof(float));
     std::memcpy(bytes.data(), &count, sizeof count);
-    std::memcpy(bytes.data() + sizeof count, floats.data(), floats.size() * sizeof(float));
+    if (!floats.empty()) {
+        std::memcpy(bytes.data() + sizeof count, floats.data(), floats.size() * sizeof(float));
+    }
     return bytes;
 }
 
