@@ -117,7 +117,7 @@
 #define RT_STAT_REFERENCES 0x7F104         /* references from leaves to triangles */
 #define RT_STAT_BYTES 0x7F105              /* trees, triangles and shading data held now */
 #define RT_STAT_PEAK_BYTES 0x7F106         /* the most RT_STAT_BYTES has been */
-#define RT_STAT_DROPPED_TRIANGLES 0x7F107  /* triangles dropped for a non-finite vertex */
+#define RT_STAT_DROPPED_TRIANGLES 0x7F107  /* triangles dropped: not finite, or degenerate */
 #define RT_STAT_RAYS 0x7F108               /* rays of the last frame, all kinds */
 #define RT_STAT_BAD_PIXELS 0x7F109         /* pixels of the last frame lost to a shader's fault */
 #define RT_STAT_MODELS_BUILT 0x7F10A       /* trees of objects built since the context was made */
