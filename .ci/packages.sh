@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The Debian 12 packages that building, testing and the demo take. To be sourced.
 packages=(
-    g++ cmake ninja-build pkg-config python3 binutils # to build and to check what was built
+    g++ cmake make ninja-build pkg-config python3 binutils # to build, and to check what was built
     libglm-dev libhwy-dev                             # the library
     libtinygltf-dev nlohmann-json3-dev libassimp-dev  # scenes, in the programs
     libstb-dev libpng-dev libopenexr-dev libcli11-dev # images and command lines, in the programs

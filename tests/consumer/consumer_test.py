@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Installs the built tree elsewhere and uses it as three outside projects would.
 
-usage: consumer_test.py BUILD_DIR C_COMPILER CXX_COMPILER FLAGS
+usage: consumer_test.py BUILD_DIR GENERATOR C_COMPILER CXX_COMPILER FLAGS
 """
 import os
 import pathlib
@@ -19,7 +19,7 @@ def run(*command, **environment):
                           stdout=subprocess.PIPE, text=True).stdout
 
 
-def main(build, cc, cxx, flags):
+def main(build, generator, cc, cxx, flags):
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         installed = work / "a prefix"
@@ -43,7 +43,7 @@ def main(build, cc, cxx, flags):
         shutil.copy(HERE / "outside.cmake", source / "CMakeLists.txt")
         for name in ("consumer.c", "core_consumer.cpp"):
             shutil.copy(HERE / name, source)
-        run("cmake", "-S", str(source), "-B", str(source / "build"),
+        run("cmake", "-G", generator, "-S", str(source), "-B", str(source / "build"),
             f"-DCMAKE_PREFIX_PATH={installed}", f"-DCMAKE_C_COMPILER={cc}",
             f"-DCMAKE_CXX_COMPILER={cxx}", f"-DCMAKE_C_FLAGS={flags}",
             f"-DCMAKE_CXX_FLAGS={flags}")
@@ -53,4 +53,4 @@ def main(build, cc, cxx, flags):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:5])
+    main(*sys.argv[1:6])
