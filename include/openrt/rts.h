@@ -12,6 +12,8 @@
 #ifndef OPENRT_RTS_H
 #define OPENRT_RTS_H
 
+#include <math.h>
+
 #include "openrt/types.h"
 
 #ifdef __cplusplus
@@ -21,6 +23,11 @@ extern "C" {
 #define RTS_INTERFACE_VERSION 1u
 
 typedef struct RTSstate RTSstate;
+struct RTSpacket; /* rts_packet.h */
+
+/* Bits of RTSstate::flags; rays inherit them. */
+#define RTS_INDIRECT 1u /* the shader adds light from one random direction: see rtsIndirect */
+#define RTS_STOPPED 2u  /* the point traces no further rays: see rtsStopRayRecursion */
 
 /* A sample of a light as seen from a point. */
 typedef struct RTSlightsample {
@@ -42,6 +49,7 @@ typedef struct RTScameraray {
     float origin[3];
     float direction[3];
     float tnear, tfar;
+    RTSstate *state; /* at no surface: pixel, sample and random numbers; set by the library */
 } RTScameraray;
 
 /* The function table. Functions that trace return 0 where the recursion limit or the weight
@@ -59,6 +67,7 @@ typedef struct RTSfunctions {
      * between, 0 opaque, otherwise the product of the transparencies. */
     int (*shadow)(RTSstate *state, const float origin[3], const float direction[3], float distance,
                   float attenuation[3]);
+    /* A light that is split into n samples counts as n lights of 1/n of its radiance. */
     RTuint (*lightCount)(const RTSstate *state);
     /* Light i at the shaded point; 0: it contributes nothing there. */
     int (*illuminate)(RTSstate *state, RTuint light, RTSlightsample *sample);
@@ -102,6 +111,10 @@ struct RTSstate {
 
     float result[4]; /* radiance and alpha; black and 1 at the start */
     RTuint resultSet;
+
+    RTuint flags;          /* RTS_INDIRECT, RTS_STOPPED */
+    float footprint;       /* width of what the pixel sees here, across the ray */
+    float texCoordDensity; /* texture coordinates per unit of length, on the triangle */
 };
 
 /* A pixel, for rendering objects. */
@@ -114,6 +127,11 @@ typedef struct RTSpixel {
     void (*trace)(struct RTSpixel *pixel, float x, float y, float rgba[4]);
     /* Position of the i-th of n samples in the pixel's square. */
     void (*samplePosition)(struct RTSpixel *pixel, RTuint i, RTuint n, float xy[2]);
+    /* As trace, with RTSstate::flags for the camera ray and those that it gives rise to. */
+    void (*traceWith)(struct RTSpixel *pixel, float x, float y, RTuint flags, float rgba[4]);
+    /* What the camera ray through the point meets, not yet shaded: a state from which further rays
+     * start as in a surface shader, valid until the next call through this pixel. NULL: nothing. */
+    RTSstate *(*visit)(struct RTSpixel *pixel, float x, float y);
 } RTSpixel;
 
 /* Parameters ------------------------------------------------------------------------------- */
@@ -165,6 +183,18 @@ typedef struct RTshaderclass {
     int (*illuminate)(const void *shader, const float position[3], RTSlightsample *sample);
     int (*cameraRay)(const void *shader, float x, float y, RTScameraray *ray); /* camera */
     int (*renderPixel)(const void *shader, RTSpixel *pixel, float rgba[4]); /* rendering object */
+
+    /* All that follow may be NULL. */
+    /* shade for up to sixteen points at once: surface, environment */
+    int (*shadePacket)(const void *shader, struct RTSpacket *packet);
+    /* surface: 1 promises that transparency answers black everywhere; asked once a frame */
+    int (*opaque)(const void *shader);
+    /* light: into how many samples it wants to be split (1 at least); asked once a frame */
+    RTuint (*lightSamples)(const void *shader);
+    /* light, in the place of illuminate: sample i of n, from random numbers of the state; the
+     * light that the n samples carry together is the mean of their radiances */
+    int (*illuminateSample)(const void *shader, RTSstate *state, RTuint i, RTuint n,
+                            RTSlightsample *sample);
 } RTshaderclass;
 
 /* The calls of a C shader ------------------------------------------------------------------- */
@@ -204,6 +234,32 @@ static inline void rtsReflectedDirection(const RTSstate *s, float direction[3]) 
     direction[0] = d[0] - c * n[0];
     direction[1] = d[1] - c * n[1];
     direction[2] = d[2] - c * n[2];
+}
+/* Direction of the incoming ray beyond a surface between two media, by Snell's law; eta is the
+ * index of refraction on the ray's side divided by that behind. 0: total reflection, and no
+ * direction. */
+static inline int rtsRefractedDirection(const RTSstate *s, float eta, float direction[3]) {
+    const float *d = s->rayDirection, *n = s->shadingNormal;
+    float cosine = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+    const float side = cosine > 0.0f ? -1.0f : 1.0f; /* of the normal that faces the ray */
+    float squared, along;
+    cosine *= -side;
+    squared = 1.0f - eta * eta * (1.0f - cosine * cosine);
+    if (!(squared >= 0.0f)) return 0;
+    along = side * (eta * cosine - sqrtf(squared));
+    direction[0] = eta * d[0] + along * n[0];
+    direction[1] = eta * d[1] + along * n[1];
+    direction[2] = eta * d[2] + along * n[2];
+    return 1;
+}
+/* Whether the shader should add light from the surroundings: one ray in a random direction,
+ * weighted by how much of what comes from there it reflects. Asked for by path tracing. */
+static inline int rtsIndirect(const RTSstate *s) { return (s->flags & RTS_INDIRECT) != 0; }
+/* Rays that this point asks for from now on are not traced: black, and 0 as the answer. */
+static inline void rtsStopRayRecursion(RTSstate *s) { s->flags |= RTS_STOPPED; }
+static inline float rtsRandom(RTSstate *s) { return s->functions->random(s); }
+static inline void rtsEnvironment(RTSstate *s, const float direction[3], float radiance[3]) {
+    s->functions->environment(s, direction, radiance);
 }
 static inline void rtsResultColor(RTSstate *s, float r, float g, float b) {
     s->result[0] = r;

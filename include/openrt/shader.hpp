@@ -12,12 +12,19 @@
 //
 //   surface           void shade(TraceContext&) const
 //                     bool or Color transparency(TraceContext&) const      (optional)
+//                     bool opaque() const: transparency is black everywhere (optional)
 //   environment       void shade(TraceContext&) const, and
 //                     static constexpr ShaderKind kind = ShaderKind::Environment
 //   light             bool illuminate(const Vec3& position, Vec3& direction, float& distance,
-//                                     Color& radiance) const
+//                                     Color& radiance) const, or for lights with an extent
+//                     bool illuminate(TraceContext&, RTuint i, RTuint n, LightSample&) const,
+//                     RTuint lightSamples() const                          (optional)
 //   camera            void initPrimaryRay(float x, float y, TraceContext&) const
 //   rendering object  Color renderPixel(PixelContext&) const
+//
+// Surfaces and environments may shade packets of up to sixteen points (packet_context.hpp): with
+// `void shadePacket(PacketContext&) const`, or, where `shade` is a template of its context that
+// serves packets too, with `static constexpr bool shadesPackets = true`.
 //
 // Per-triangle and per-vertex parameters live in nested structs TriangleParam and VertexParam,
 // plain data; VertexParam holds floats only, as it is interpolated. All members run on many
@@ -27,17 +34,12 @@
 #include <concepts>
 #include <cstddef>
 #include <deque>
-#include <limits>
-#include <map>
-#include <mutex>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-#include "openrt/rts.h"
-#include "openrt/vectors.hpp"
+#include "openrt/packet_context.hpp"
+#include "openrt/trace_context.hpp"
 
 namespace openrt {
 
@@ -59,12 +61,6 @@ struct Int2 {
 struct Int3 {
     int x = 0, y = 0, z = 0;
 };
-/// A texture as a parameter; set by rtParameter1i. 0 is no texture and reads as opaque white.
-struct TextureId {
-    int id = 0;
-    constexpr explicit operator bool() const { return id != 0; }
-};
-
 /// What registerParams talks to.
 class ShaderRegistrator {
 public:
@@ -104,136 +100,6 @@ private:
     std::vector<RTSparameter>* list_;
 };
 
-/// A sample of a light at the shaded point.
-struct LightSample {
-    Vec3 direction; ///< to the light, length 1
-    float distance; ///< may be infinite
-    Color radiance; ///< arriving if nothing is between
-};
-
-/// The point being shaded, or in a camera shader the ray to be set; a view of an RTSstate.
-class TraceContext {
-public:
-    explicit TraceContext(RTSstate* state) : state_(state) {}
-    explicit TraceContext(RTScameraray* ray) : ray_(ray) {}
-
-    Vec3 position() const { return Vec3(state_->position); }
-    Vec3 shadingNormal() const { return Vec3(state_->shadingNormal); }
-    Vec3 rawNormal() const { return Vec3(state_->rawNormal); }
-    Vec3 geometricNormal() const { return Vec3(state_->geometricNormal); }
-    Vec3 barycentrics() const { return Vec3(state_->barycentric); }
-    Vec2 texCoord() const { return Vec2(state_->texCoord); }
-    Vec4 texCoord4() const { return Vec4(state_->texCoord); }
-    Color color() const { return Color(state_->color); }
-    float alpha() const { return state_->color[3]; }
-    Vec3 rayOrigin() const { return Vec3(state_->rayOrigin); }
-    Vec3 rayDirection() const { return Vec3(state_->rayDirection); }
-    float rayDistance() const { return state_->rayDistance; }
-    bool frontFace() const { return state_->frontFace != 0; }
-    RTuint object() const { return state_->object; }
-    RTuint instance() const { return state_->instance; }
-    RTuint primitive() const { return state_->primitive; }
-    RTuint depth() const { return state_->depth; }
-    float weight() const { return state_->weight; }
-    RTuint pixelX() const { return state_->pixel[0]; }
-    RTuint pixelY() const { return state_->pixel[1]; }
-    RTuint sample() const { return state_->sample; }
-
-    /// The geometric normal on the side that the ray came from.
-    Vec3 facingGeometricNormal() const {
-        return frontFace() ? geometricNormal() : -geometricNormal();
-    }
-    /// The shading normal, turned to the side of the surface that the ray came from.
-    Vec3 facingNormal() const {
-        const Vec3 normal = shadingNormal();
-        return dot(normal, facingGeometricNormal()) < 0 ? -normal : normal;
-    }
-    Vec3 reflectedDirection() const { return reflect(rayDirection(), facingNormal()); }
-
-    /// Radiance along a ray; black where the recursion limit or the weight cut-off stopped it.
-    /// `weight`: the ray's share of this point's radiance, 0 to 1.
-    Color trace(const Vec3& origin, const Vec3& direction, float weight = 1.0f) {
-        const float o[3] = {origin.x, origin.y, origin.z};
-        const float d[3] = {direction.x, direction.y, direction.z};
-        float radiance[3] = {0, 0, 0};
-        if (!state_->functions->trace(state_, o, d, weight * state_->weight, radiance)) return {};
-        return Color(radiance);
-    }
-    /// What a ray meets, without shading; false: nothing.
-    bool traceHit(const Vec3& origin, const Vec3& direction, RTShitinfo& hit) {
-        const float o[3] = {origin.x, origin.y, origin.z};
-        const float d[3] = {direction.x, direction.y, direction.z};
-        return state_->functions->traceHit(state_, o, d, &hit) &&
-               hit.distance <= std::numeric_limits<float>::max();
-    }
-    /// Share of light that passes: 1 nothing in between, 0 opaque.
-    Color shadow(const Vec3& origin, const Vec3& direction, float distance) {
-        const float o[3] = {origin.x, origin.y, origin.z};
-        const float d[3] = {direction.x, direction.y, direction.z};
-        float attenuation[3] = {0, 0, 0};
-        state_->functions->shadow(state_, o, d, distance, attenuation);
-        return Color(attenuation);
-    }
-    RTuint lightCount() const { return state_->functions->lightCount(state_); }
-    bool illuminate(RTuint light, LightSample& sample) {
-        RTSlightsample s = {};
-        if (!state_->functions->illuminate(state_, light, &s)) return false;
-        sample = {Vec3(s.direction), s.distance, Color(s.radiance)};
-        return true;
-    }
-    bool illuminate(RTuint light, Vec3& direction, float& distance, Color& radiance) {
-        LightSample s{};
-        if (!illuminate(light, s)) return false;
-        direction = s.direction;
-        distance = s.distance;
-        radiance = s.radiance;
-        return true;
-    }
-    /// RGBA, linear.
-    Vec4 texture(TextureId texture, const Vec2& at) const {
-        float rgba[4] = {1, 1, 1, 1};
-        state_->functions->texture(state_, RTuint(texture.id), at.x, at.y, rgba);
-        return Vec4(rgba);
-    }
-    Color environment(const Vec3& direction) {
-        const float d[3] = {direction.x, direction.y, direction.z};
-        float radiance[3] = {0, 0, 0};
-        state_->functions->environment(state_, d, radiance);
-        return Color(radiance);
-    }
-    /// Next number of the pixel's random stream, in [0, 1).
-    float random() { return state_->functions->random(state_); }
-
-    void setRadiance(const Color& radiance) {
-        rtsResultColor(state_, radiance.r, radiance.g, radiance.b);
-    }
-    void setAlpha(float alpha) { state_->result[3] = alpha; }
-
-    /// The triangle's block of the class's per-triangle parameters, the interpolated block of its
-    /// per-vertex ones.
-    template <class T>
-    const T& triangleParam() const {
-        return *static_cast<const T*>(state_->triangleParam);
-    }
-    template <class T>
-    const T& vertexParam() const {
-        return *static_cast<const T*>(state_->vertexParam);
-    }
-
-    /// Camera shaders only, and all that they may call: the ray through the point of the picture.
-    void setRay(const Vec3& origin, const Vec3& direction, float tnear = 0.0f,
-                float tfar = std::numeric_limits<float>::infinity()) {
-        *ray_ = {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z},
-                 tnear, tfar};
-    }
-
-    RTSstate* state() const { return state_; }
-
-private:
-    RTSstate* state_ = nullptr;
-    RTScameraray* ray_ = nullptr;
-};
-
 /// A pixel, for rendering objects.
 class PixelContext {
 public:
@@ -248,13 +114,33 @@ public:
         pixel_->trace(pixel_, at.x, at.y, rgba);
         return Vec4(rgba);
     }
+    /// As trace, with light from random directions at each point: one path of path tracing.
+    Vec4 tracePath(const Vec2& at) {
+        float rgba[4] = {0, 0, 0, 1};
+        pixel_->traceWith(pixel_, at.x, at.y, RTS_INDIRECT, rgba);
+        return Vec4(rgba);
+    }
+    /// Calls function(TraceContext&) for what the camera ray meets, not yet shaded; further rays
+    /// start there as in a surface shader. false: it meets nothing.
+    template <class Function>
+    bool visit(const Vec2& at, Function&& function) {
+        RTSstate* const state = pixel_->visit(pixel_, at.x, at.y);
+        if (!state) return false;
+        TraceContext context(state);
+        function(context);
+        return true;
+    }
     /// Position of the i-th of n samples in the pixel's square.
     Vec2 samplePosition(RTuint i, RTuint n) {
         float xy[2] = {0.5f, 0.5f};
         pixel_->samplePosition(pixel_, i, n, xy);
         return Vec2(xy);
     }
-    float random() { return pixel_->state->functions->random(pixel_->state); }
+    float random() { return rtsRandom(pixel_->state); }
+    /// Radiance of the environment in a direction.
+    Color environment(const Vec3& direction) {
+        return TraceContext(pixel_->state).environment(direction);
+    }
     void setAlpha(float alpha) { alpha_ = alpha; }
     float alpha() const { return alpha_; }
 

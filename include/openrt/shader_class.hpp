@@ -2,6 +2,11 @@
 // From a plain C++ class to the C descriptor that the library knows. Included by shader.hpp.
 #pragma once
 
+#include <map>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+
 #include "openrt/shader.hpp"
 
 namespace openrt {
@@ -16,6 +21,24 @@ template <class T>
 concept Illuminates = requires(const T& s, const Vec3& p, Vec3& d, float& t, Color& r) {
     { s.illuminate(p, d, t, r) } -> std::convertible_to<bool>;
 };
+template <class T>
+concept IlluminatesBySamples =
+    requires(const T& s, TraceContext& c, LightSample& sample) {
+        { s.illuminate(c, 0u, 1u, sample) } -> std::convertible_to<bool>;
+    };
+template <class T>
+concept SplitsLight = requires(const T& s) {
+    { s.lightSamples() } -> std::convertible_to<RTuint>;
+};
+template <class T>
+concept PromisesOpacity = requires(const T& s) {
+    { s.opaque() } -> std::convertible_to<bool>;
+};
+template <class T>
+concept ShadesPacketsByShade = requires { requires T::shadesPackets; };
+template <class T>
+concept ShadesPackets = ShadesPacketsByShade<T> ||
+                        requires(const T& s, PacketContext& c) { s.shadePacket(c); };
 template <class T>
 concept InitsRays = requires(const T& s, TraceContext& c) { s.initPrimaryRay(0.5f, 0.5f, c); };
 template <class T>
@@ -52,16 +75,24 @@ constexpr ShaderKind kindOf() {
     if constexpr (requires { { T::kind } -> std::convertible_to<ShaderKind>; }) {
         return T::kind;
     } else {
-        constexpr int forms = int(Shades<T>) + int(Illuminates<T>) + int(InitsRays<T>) +
-                              int(RendersPixels<T>);
+        constexpr bool isLight = Illuminates<T> || IlluminatesBySamples<T>;
+        constexpr int forms =
+            int(Shades<T>) + int(isLight) + int(InitsRays<T>) + int(RendersPixels<T>);
         static_assert(forms == 1, "a shader class has exactly one of shade, illuminate, "
                                   "initPrimaryRay and renderPixel as const members, or says its "
                                   "`kind`");
-        if constexpr (Illuminates<T>) return ShaderKind::Light;
+        if constexpr (isLight) return ShaderKind::Light;
         else if constexpr (InitsRays<T>) return ShaderKind::Camera;
         else if constexpr (RendersPixels<T>) return ShaderKind::RenderingObject;
         else return ShaderKind::Surface;
     }
+}
+
+/// The form of T that serves packets, by whichever name.
+template <ShadesPackets T, class Context>
+void shadePacketOf(const T& shader, Context& context) {
+    if constexpr (ShadesPacketsByShade<T>) shader.shade(context);
+    else shader.shadePacket(context);
 }
 
 inline constexpr int kThrew = -1; ///< what a function of the descriptor returns for an exception
@@ -93,6 +124,41 @@ struct Functions {
             return kThrew;
         }
     }
+    static int shadePacket(const void* shader, RTSpacket* packet) noexcept {
+        try {
+            PacketContext context(packet);
+            shadePacketOf(*static_cast<const T*>(shader), context);
+            return 0;
+        } catch (...) {
+            return kThrew;
+        }
+    }
+    static int opaque(const void* shader) noexcept {
+        try {
+            return static_cast<const T*>(shader)->opaque() ? 1 : 0;
+        } catch (...) {
+            return 0;
+        }
+    }
+    static RTuint lightSamples(const void* shader) noexcept {
+        try {
+            return RTuint(static_cast<const T*>(shader)->lightSamples());
+        } catch (...) {
+            return 1;
+        }
+    }
+    static int illuminateSample(const void* shader, RTSstate* state, RTuint i, RTuint n,
+                                RTSlightsample* sample) noexcept {
+        try {
+            TraceContext context(state);
+            LightSample answer{};
+            if (!static_cast<const T*>(shader)->illuminate(context, i, n, answer)) return 0;
+            *sample = plain(answer.direction, answer.distance, answer.radiance);
+            return 1;
+        } catch (...) {
+            return kThrew;
+        }
+    }
     static int transparency(const void* shader, RTSstate* state, float rgb[3]) noexcept {
         try {
             TraceContext context(state);
@@ -115,9 +181,7 @@ struct Functions {
             if (!static_cast<const T*>(shader)->illuminate(Vec3(position), direction, distance,
                                                            radiance))
                 return 0;
-            *sample = {{direction.x, direction.y, direction.z},
-                       distance,
-                       {radiance.r, radiance.g, radiance.b}};
+            *sample = plain(direction, distance, radiance);
             return 1;
         } catch (...) {
             return kThrew;
@@ -147,6 +211,11 @@ struct Functions {
     }
 
 private:
+    static RTSlightsample plain(const Vec3& direction, float distance, const Color& radiance) {
+        return {{direction.x, direction.y, direction.z},
+                distance,
+                {radiance.r, radiance.g, radiance.b}};
+    }
     static Color colorOf(bool transparent) { return Color(transparent ? 1.0f : 0.0f); }
     static Color colorOf(const Color& color) { return color; }
 };
@@ -195,7 +264,17 @@ void describe(Descriptor& descriptor) {
     }
     if constexpr (kind == ShaderKind::Surface && AnswersTransparency<T>)
         c.transparency = Functions<T>::transparency;
-    if constexpr (kind == ShaderKind::Light) c.illuminate = Functions<T>::illuminate;
+    if constexpr ((kind == ShaderKind::Surface || kind == ShaderKind::Environment) &&
+                  ShadesPackets<T>)
+        c.shadePacket = Functions<T>::shadePacket;
+    if constexpr (kind == ShaderKind::Surface && PromisesOpacity<T>)
+        c.opaque = Functions<T>::opaque;
+    if constexpr (kind == ShaderKind::Light && Illuminates<T>)
+        c.illuminate = Functions<T>::illuminate;
+    if constexpr (kind == ShaderKind::Light && IlluminatesBySamples<T>) {
+        c.illuminateSample = Functions<T>::illuminateSample;
+        if constexpr (SplitsLight<T>) c.lightSamples = Functions<T>::lightSamples;
+    }
     if constexpr (kind == ShaderKind::Camera) c.cameraRay = Functions<T>::cameraRay;
     if constexpr (kind == ShaderKind::RenderingObject) c.renderPixel = Functions<T>::renderPixel;
 }

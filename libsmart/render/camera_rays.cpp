@@ -78,7 +78,8 @@ bool CameraRays::fromMatrix(double x, double y, Ray& ray) const {
 }
 
 bool CameraRays::fromShader(double x, double y, Ray& ray) const {
-    RTScameraray given{{0, 0, 0}, {0, 0, 0}, 0.0f, std::numeric_limits<float>::infinity()};
+    RTScameraray given{};
+    given.tfar = std::numeric_limits<float>::infinity();
     const ShaderObject& camera = *frame_.camera;
     const auto cameraRay = camera.functions().cameraRay;
     if (!cameraRay || cameraRay(camera.block(), float(x), float(y), &given) != 0) return false;

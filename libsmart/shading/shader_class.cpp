@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/shading/shader_class.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <set>
@@ -13,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMaxBlock = 1u << 20;
 constexpr std::size_t kMaxParameters = 4096;
+/// Bytes of the descriptor as it first was; what was added at its end since then is optional.
+constexpr std::size_t kFirstDescriptor = offsetof(RTshaderclass, shadePacket);
 
 [[noreturn]] void refuse(const std::string& shaderClass, const std::string& reason) {
     throw Error(ErrorCode::InvalidValue, "shader class '" + shaderClass + "': " + reason);
@@ -47,7 +51,9 @@ void checkFunctions(const RTshaderclass& d, const std::string& name) {
     switch (d.kind) {
     case RT_SURFACE_SHADER:
     case RT_ENV_SHADER: need(d.shade != nullptr, "shade"); break;
-    case RT_LIGHT_SHADER: need(d.illuminate != nullptr, "illuminate"); break;
+    case RT_LIGHT_SHADER:
+        need(d.illuminate || d.illuminateSample, "illuminate or illuminateSample");
+        break;
     case RT_CAMERA_SHADER: need(d.cameraRay != nullptr, "cameraRay"); break;
     case RT_RENDERING_OBJECT_SHADER: need(d.renderPixel != nullptr, "renderPixel"); break;
     default: refuse(name, "unknown kind " + std::to_string(d.kind));
@@ -105,11 +111,10 @@ std::string checkedName(const RTshaderclass& d) {
                     "shader class for version " + std::to_string(d.interfaceVersion) +
                         " of the shader interface; this library has version " +
                         std::to_string(RTS_INTERFACE_VERSION));
-    if (d.structSize < sizeof(RTshaderclass))
+    if (d.structSize < kFirstDescriptor)
         throw Error(ErrorCode::InvalidValue,
                     "shader class descriptor of " + std::to_string(d.structSize) +
-                        " bytes; at least " + std::to_string(sizeof(RTshaderclass)) +
-                        " are needed");
+                        " bytes; at least " + std::to_string(kFirstDescriptor) + " are needed");
     if (!d.name || !*d.name)
         throw Error(ErrorCode::InvalidValue, "shader class without a name");
     return d.name;
@@ -125,9 +130,10 @@ struct AlignedDelete {
 
 ShaderClass::ShaderClass(const RTshaderclass& descriptor, std::shared_ptr<const void> module)
     : module_(std::move(module)), name_(checkedName(descriptor)) {
-    descriptor_ = descriptor;
+    std::memcpy(&descriptor_, &descriptor,
+                std::min<std::size_t>(descriptor.structSize, sizeof(descriptor_)));
     descriptor_.structSize = sizeof(RTshaderclass);
-    checkFunctions(descriptor, name_);
+    checkFunctions(descriptor_, name_);
     checkBlocks(descriptor, name_);
 
     std::set<std::string_view> names;

@@ -123,8 +123,8 @@ private:
         p.normalView = clamped(dot(p.normal, p.view));
 
         Color sum = fromEnvironment(c, p, metal, rough);
-        forEachLight(c, p.normal, [&](const LightSample& light, float cosine) {
-            const Color arriving = light.radiance * visibility(c, light);
+        forEachLight(c, p.normal, [&](const LightSample& light, float cosine, bool lit) {
+            const Color arriving = light.radiance * visibility(c, light, lit);
             if (!arriving.black()) sum += brdf(p, light.direction, cosine) * arriving * cosine;
         });
         return sum;

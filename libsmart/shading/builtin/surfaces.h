@@ -1,40 +1,45 @@
 // SPDX-License-Identifier: MIT
 // Built-in surfaces with the names of SMART (2009), and Phong. Each formula gives the radiance
 // towards the ray's origin at a point with normal n (length 1, on the ray's side); sums go over
-// the lights, l being the direction to one and L the radiance that arrives from it.
+// the lights, l being the direction to one and L the radiance that arrives from it. `shade` serves
+// points and packets alike, with the same bits.
 #pragma once
 
-#include "libsmart/base/transcendental.h"
-#include "openrt/shader.hpp"
+#include "libsmart/shading/builtin/lane_math.h"
 
 namespace smart::builtin {
 
 using namespace openrt;
 
-/// Calls contribution(sample, n.l) for each light in front of a surface with normal n.
+/// Calls contribution(sample, n.l, lit) for each light that is in front of a surface with normal
+/// n, or of some points of a packet: those that are `lit`.
 template <class Context, class Contribution>
-void forEachLight(Context& c, const Vec3& normal, Contribution&& contribution) {
+void forEachLight(Context& c, const typename Context::Vec3& normal, Contribution&& contribution) {
     const RTuint count = c.lightCount();
     for (RTuint i = 0; i < count; ++i) {
-        LightSample sample{};
-        if (!c.illuminate(i, sample)) continue;
-        const float cosine = dot(normal, sample.direction);
-        if (cosine > 0) contribution(sample, cosine);
+        typename Context::LightSample sample{};
+        typename Context::Condition lit = c.illuminate(i, sample);
+        const auto cosine = dot(normal, sample.direction);
+        lit = lit & (cosine > 0.0f);
+        if (any(lit)) contribution(sample, cosine, lit);
     }
 }
 
-/// Share of a light that arrives. Behind the triangle's plane none does, whatever the shading
-/// normal says: the surface itself is in between.
+/// Share of a light that arrives, where it is asked for. Behind the triangle's plane none does,
+/// whatever the shading normal says: the surface itself is in between.
 template <class Context>
-Color visibility(Context& c, const LightSample& sample) {
-    if (!(dot(c.facingGeometricNormal(), sample.direction) > 0)) return {};
-    return c.shadow(c.position(), sample.direction, sample.distance);
+auto visibility(Context& c, const typename Context::LightSample& sample,
+                const typename Context::Condition& wanted) {
+    const auto inFront = dot(c.facingGeometricNormal(), sample.direction) > 0.0f;
+    return c.shadow(c.position(), sample.direction, sample.distance, wanted & inFront);
 }
 
 inline Color colorOf(const Vec4& rgba) { return {rgba.x, rgba.y, rgba.z}; }
+inline PacketColor colorOf(const PacketVec4& rgba) { return {rgba.x, rgba.y, rgba.z}; }
 
 /// The default surface: the current colour, unlit.
 struct FixedFunction {
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
         c.setRadiance(c.color());
@@ -49,6 +54,7 @@ struct ConstantShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<Color>("value", PER_SHADER, offsetof(ConstantShader, value));
     }
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
         c.setRadiance(value);
@@ -62,11 +68,12 @@ struct DiffuseShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<Color>("color", PER_SHADER, offsetof(DiffuseShader, color));
     }
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
-        Color sum;
-        forEachLight(c, c.facingNormal(), [&](const LightSample& light, float cosine) {
-            sum += color * light.radiance * cosine;
+        typename Context::Color sum;
+        forEachLight(c, c.facingNormal(), [&](const auto& light, const auto& cosine, auto lit) {
+            sum = select(lit, sum + color * light.radiance * cosine, sum);
         });
         c.setRadiance(sum);
     }
@@ -81,11 +88,12 @@ struct TexturedDiffuseShader {
         r.registerParam<TextureId>("texture", PER_SHADER, offsetof(TexturedDiffuseShader, texture));
         r.registerParam<Color>("radiance", PER_SHADER, offsetof(TexturedDiffuseShader, radiance));
     }
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
-        Color sum = radiance;
-        forEachLight(c, c.facingNormal(), [&](const LightSample& light, float cosine) {
-            sum += light.radiance * cosine;
+        typename Context::Color sum = radiance;
+        forEachLight(c, c.facingNormal(), [&](const auto& light, const auto& cosine, auto lit) {
+            sum = select(lit, sum + light.radiance * cosine, sum);
         });
         c.setRadiance(colorOf(c.texture(texture, c.texCoord())) * sum);
     }
@@ -98,9 +106,10 @@ struct TextureShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<TextureId>("texture", PER_SHADER, offsetof(TextureShader, texture));
     }
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
-        const Vec4 texel = c.texture(texture, c.texCoord());
+        const auto texel = c.texture(texture, c.texCoord());
         c.setRadiance(colorOf(texel));
         c.setAlpha(texel.w);
     }
@@ -113,6 +122,7 @@ struct MirrorShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<Color>("attenuation", PER_SHADER, offsetof(MirrorShader, attenuation));
     }
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
         c.setRadiance(attenuation *
@@ -140,18 +150,28 @@ struct Phong {
         r.registerParam<Color>("transmission", PER_SHADER, offsetof(Phong, transmission));
         r.registerParam<TextureId>("texture", PER_SHADER, offsetof(Phong, texture));
     }
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
-        const Vec3 normal = c.facingNormal(), mirrored = c.reflectedDirection();
-        const Color texel = texture ? colorOf(c.texture(texture, c.texCoord())) : Color(1.0f);
-        const Color surface = texel * diffuse;
-        Color sum = emissive + texel * ambient;
-        forEachLight(c, normal, [&](const LightSample& light, float cosine) {
-            Color reflected = surface * cosine;
-            const float highlight = dot(mirrored, light.direction);
-            if (highlight > 0 && !specular.black())
-                reflected += specular * math::pow(highlight, shininess);
-            if (!reflected.black()) sum += reflected * light.radiance * visibility(c, light);
+        using PointColor = typename Context::Color;
+        const auto normal = c.facingNormal(), mirrored = c.reflectedDirection();
+        const PointColor texel = texture ? PointColor(colorOf(c.texture(texture, c.texCoord())))
+                                         : PointColor(Color(1.0f));
+        const PointColor surface = texel * diffuse;
+        PointColor sum = emissive + texel * ambient;
+        forEachLight(c, normal, [&](const auto& light, const auto& cosine, auto lit) {
+            PointColor reflected = surface * cosine;
+            if (!specular.black()) {
+                const auto highlight = dot(mirrored, light.direction);
+                const auto shines = lit & (highlight > 0.0f);
+                if (any(shines))
+                    reflected = select(
+                        shines, reflected + specular * math::pow(highlight, shininess), reflected);
+            }
+            lit = lit & !reflected.black();
+            if (any(lit))
+                sum = select(lit, sum + reflected * light.radiance * visibility(c, light, lit),
+                             sum);
         });
         if (!reflection.black())
             sum += reflection * c.trace(c.position(), mirrored, reflection.largest());
@@ -159,6 +179,7 @@ struct Phong {
             sum += transmission * c.trace(c.position(), c.rayDirection(), transmission.largest());
         c.setRadiance(sum);
     }
+    bool opaque() const { return transmission.black(); }
     template <class Context>
     Color transparency(Context&) const {
         return transmission;
