@@ -27,6 +27,14 @@ struct Mask {
     constexpr bool operator==(const Mask&) const = default;
 };
 
+namespace detail {
+/// 1 << i: with the bits in a table the loops over lanes below become SIMD code.
+inline constexpr RTuint kLaneBit[kLanes] = {1u << 0,  1u << 1,  1u << 2,  1u << 3,
+                                            1u << 4,  1u << 5,  1u << 6,  1u << 7,
+                                            1u << 8,  1u << 9,  1u << 10, 1u << 11,
+                                            1u << 12, 1u << 13, 1u << 14, 1u << 15};
+} // namespace detail
+
 constexpr Mask operator&(const Mask& a, const Mask& b) { return Mask(a.bits & b.bits); }
 constexpr Mask operator|(const Mask& a, const Mask& b) { return Mask(a.bits | b.bits); }
 constexpr Mask operator!(const Mask& a) { return Mask(~a.bits & ((1u << kLanes) - 1u)); }
@@ -78,7 +86,8 @@ inline Floats& operator*=(Floats& a, const Floats& b) { return a = a * b; }
 template <class Condition>
 inline Mask compare(const Floats& a, const Floats& b, Condition&& condition) {
     RTuint bits = 0;
-    for (int i = 0; i < kLanes; ++i) bits |= RTuint(condition(a.lane[i], b.lane[i])) << i;
+    for (int i = 0; i < kLanes; ++i)
+        bits |= condition(a.lane[i], b.lane[i]) ? detail::kLaneBit[i] : 0u;
     return Mask(bits);
 }
 inline Mask operator<(const Floats& a, const Floats& b) {
@@ -97,7 +106,10 @@ inline Mask operator!=(const Floats& a, const Floats& b) { return !(a == b); }
 /// `yes` in the lanes of the mask, `no` in the others.
 inline Floats select(const Mask& mask, const Floats& yes, const Floats& no) {
     Floats result;
-    for (int i = 0; i < kLanes; ++i) result.lane[i] = mask[i] ? yes.lane[i] : no.lane[i];
+    for (int i = 0; i < kLanes; ++i) {
+        const float y = yes.lane[i], n = no.lane[i]; // both are read: no branch
+        result.lane[i] = (mask.bits & detail::kLaneBit[i]) != 0 ? y : n;
+    }
     return result;
 }
 constexpr float select(bool condition, float yes, float no) { return condition ? yes : no; }
