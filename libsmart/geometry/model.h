@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "libsmart/accel/kd_tree.h"
+#include "libsmart/accel/wide_tree.h"
 #include "libsmart/geometry/instance_group.h"
 #include "libsmart/kernel/view.h"
 
@@ -51,6 +52,7 @@ struct ShadingData {
 struct Model {
     std::vector<Triangle> triangles; ///< in the order given; dropped ones keep their number
     KdTree tree;
+    WideTree wide;
     ShadingData shading;
     InstanceGroup children;
     uint32_t droppedTriangles = 0; ///< not finite or degenerate; not in the tree

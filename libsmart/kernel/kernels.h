@@ -24,6 +24,9 @@ struct KernelTable {
     void (*occluded[kPrecisionCount])(const ModelView&, const RayPacket&, uint32_t& blocked);
     void (*intersect1[kPrecisionCount])(const ModelView&, const Ray&, Hit&);
     bool (*occluded1[kPrecisionCount])(const ModelView&, const Ray&);
+    /// The same for four packets that are neighbours.
+    void (*intersectTile[kPrecisionCount])(const ModelView&, const RayPacket*, HitPacket*);
+    void (*occludedTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t* blocked);
     /// intersect in watertight mode that also adds up what it did
     void (*intersectCounted)(const ModelView&, const RayPacket&, HitPacket&, TraversalCounts&);
 };

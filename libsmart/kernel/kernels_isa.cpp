@@ -4,6 +4,7 @@
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/kernel/ray_preparation.h"
 #include "libsmart/kernel/scene_traversal.h"
+#include "libsmart/kernel/tile_traversal.h"
 
 namespace smart::SMART_ISA {
 
@@ -90,6 +91,43 @@ bool occluded1(const ModelView& scene, const Ray& ray) {
     return query.blocked != 0;
 }
 
+template <template <int> class Precision>
+void intersectTile(const ModelView& scene, const RayPacket* rays, HitPacket* hits) {
+    using Query = Search<kPacketSize, HitMode::Closest, NoCounts>;
+    LocalRays<kPacketSize> local[kTileVectors];
+    Query query[kTileVectors];
+    uint32_t lanes[kTileVectors];
+    for (int v = 0; v < kTileVectors; ++v) {
+        const RayArrays in(rays[v]);
+        lanes[v] = prepareRays<kPacketSize, HitMode::Closest, NoCounts>(
+            in.org, in.dir, in.tNear, in.tFar, in.active, local[v], query[v]);
+    }
+    TileTraversal<Precision, HitMode::Closest>::scene(scene, local, lanes, query);
+    for (int v = 0; v < kTileVectors; ++v) {
+        const RayArrays in(rays[v]);
+        refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query[v].triangle,
+                                query[v].levels, query[v].path, hits[v].t, hits[v].u, hits[v].v);
+        __builtin_memcpy(hits[v].triangle, query[v].triangle, sizeof hits[v].triangle);
+        __builtin_memcpy(hits[v].levels, query[v].levels, sizeof hits[v].levels);
+        __builtin_memcpy(hits[v].path, query[v].path, sizeof hits[v].path);
+    }
+}
+
+template <template <int> class Precision>
+void occludedTile(const ModelView& scene, const RayPacket* rays, uint32_t* blocked) {
+    using Query = Search<kPacketSize, HitMode::Any, NoCounts>;
+    LocalRays<kPacketSize> local[kTileVectors];
+    Query query[kTileVectors];
+    uint32_t lanes[kTileVectors];
+    for (int v = 0; v < kTileVectors; ++v) {
+        const RayArrays in(rays[v]);
+        lanes[v] = prepareRays<kPacketSize, HitMode::Any, NoCounts>(
+            in.org, in.dir, in.tNear, in.tFar, in.active, local[v], query[v]);
+    }
+    TileTraversal<Precision, HitMode::Any>::scene(scene, local, lanes, query);
+    for (int v = 0; v < kTileVectors; ++v) blocked[v] = query[v].blocked;
+}
+
 #define SMART_STRINGIZE_(x) #x
 #define SMART_STRINGIZE(x) SMART_STRINGIZE_(x)
 
@@ -101,6 +139,8 @@ const KernelTable kTable = {
     {occluded<Fast>, occluded<Watertight>},
     {intersect1<Fast>, intersect1<Watertight>},
     {occluded1<Fast>, occluded1<Watertight>},
+    {intersectTile<Fast>, intersectTile<Watertight>},
+    {occludedTile<Fast>, occludedTile<Watertight>},
     intersectCounted,
 };
 

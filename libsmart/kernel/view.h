@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "libsmart/accel/kd_node.h"
+#include "libsmart/accel/wide_node.h"
 
 namespace smart {
 
@@ -29,6 +30,13 @@ struct KdView {
     float maxAbs; ///< largest absolute coordinate of the box; scale of the padding
 };
 
+/// A tree of wide nodes with the triangles in the order of its leaves.
+struct WideView {
+    const WideNode* nodes; ///< nullptr: nothing in it
+    const uint32_t* prims;
+    const Triangle* triangles;
+};
+
 struct ModelView;
 
 /// A child in its parent's space. The inverse is kept in double, so that the ray in object space
@@ -45,6 +53,7 @@ struct ModelView {
     const Triangle* triangles;
     const TriangleRecord* records; ///< nullptr unless a frame in fast mode asked for them
     KdView tree;
+    WideView wide;
     const InstanceView* children;
     KdView childTree;
     /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while
