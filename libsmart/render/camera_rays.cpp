@@ -29,7 +29,8 @@ bool store(Ray& ray, const glm::dvec3& origin, const glm::dvec3& direction, doub
 
 } // namespace
 
-CameraRays::CameraRays(const Frame& frame) : frame_(frame) {
+CameraRays::CameraRays(const Frame& frame)
+    : frame_(frame), sampleSide_(1.0 / std::sqrt(double(std::max(frame.samples, 1u)))) {
     // Depth moves a point along column 2 of the inverse. The matrix has an eye, where all rays
     // meet, if that changes w too, by more than rounding left in it.
     const glm::dmat4& inverse = frame.matrixCamera.inverse;
@@ -87,6 +88,49 @@ bool CameraRays::fromShader(double x, double y, Ray& ray) const {
     const double length = glm::length(direction);
     return store(ray, {given.origin[0], given.origin[1], given.origin[2]}, direction / length,
                  given.tnear * length, given.tfar * length);
+}
+
+RayCone CameraRays::cone(double x, double y, const Ray& ray) const {
+    return frame_.camera ? shaderCone(x, y, ray) : matrixCone(x, y);
+}
+
+// The derivatives of fromMatrix.
+RayCone CameraRays::matrixCone(double x, double y) const {
+    const Viewport& viewport = frame_.viewport;
+    x = (x - viewport.x) / viewport.width;
+    y = (y - viewport.y) / viewport.height;
+    const glm::dmat4& inverse = frame_.matrixCamera.inverse;
+    const glm::dvec4& step = inverse[2];
+    const glm::dvec4 near =
+        inverse[3] - step + (2.0 * x - 1.0) * inverse[0] + (2.0 * y - 1.0) * inverse[1];
+    const glm::dvec3 motion = near.w * glm::dvec3(step) - step.w * glm::dvec3(near);
+    const double length = glm::length(motion);
+    const glm::dvec3 along = motion / length;
+    const double pixel[2] = {2.0 / viewport.width, 2.0 / viewport.height};
+    glm::dvec3 origin[2], direction[2];
+    for (int k = 0; k < 2; ++k) {
+        const glm::dvec3 towards(inverse[k]);
+        origin[k] = hasEye_ ? glm::dvec3(0.0)
+                            : pixel[k] *
+                                  (towards - inverse[k].w / near.w * glm::dvec3(near)) / near.w;
+        // What points along the ray drops out of coneBetween.
+        direction[k] =
+            pixel[k] * (inverse[k].w * glm::dvec3(step) - step.w * towards) / length;
+    }
+    return coneBetween(along, origin, direction, sampleSide_);
+}
+
+RayCone CameraRays::shaderCone(double x, double y, const Ray& ray) const {
+    const glm::dvec3 from(ray.org[0], ray.org[1], ray.org[2]);
+    const glm::dvec3 along(ray.dir[0], ray.dir[1], ray.dir[2]);
+    glm::dvec3 origin[2], direction[2];
+    for (int k = 0; k < 2; ++k) {
+        Ray next;
+        if (!make(x + (k == 0), y + (k == 1), next)) return {};
+        origin[k] = glm::dvec3(next.org[0], next.org[1], next.org[2]) - from;
+        direction[k] = glm::dvec3(next.dir[0], next.dir[1], next.dir[2]) - along;
+    }
+    return coneBetween(along, origin, direction, sampleSide_);
 }
 
 float CameraRays::depth(const Ray& ray, float t) const {

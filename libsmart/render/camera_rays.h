@@ -6,6 +6,7 @@
 
 #include "libsmart/kernel/packet.h"
 #include "libsmart/render/frame.h"
+#include "libsmart/render/ray_cone.h"
 
 namespace smart {
 
@@ -27,6 +28,10 @@ public:
     /// start where it says.
     bool make(double x, double y, Ray& ray) const;
 
+    /// The cone of a ray that make() gave for the same point: what one of the frame's samples
+    /// of a pixel stands for, from the neighbours of the ray one pixel to the right and above.
+    RayCone cone(double x, double y, const Ray& ray) const;
+
     /// Window depth, 0 to 1, of the point at distance t on a ray. A camera shader has no depth
     /// range: there it is t / (1 + t).
     float depth(const Ray& ray, float t) const;
@@ -34,10 +39,13 @@ public:
 private:
     bool fromMatrix(double x, double y, Ray& ray) const;
     bool fromShader(double x, double y, Ray& ray) const;
+    RayCone matrixCone(double x, double y) const;
+    RayCone shaderCone(double x, double y, const Ray& ray) const;
 
     const Frame& frame_;
     glm::dvec3 eye_{0.0};
     bool hasEye_ = false;
+    double sampleSide_; ///< share of a pixel's side that a sample stands for
 };
 
 } // namespace smart

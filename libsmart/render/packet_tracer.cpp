@@ -107,17 +107,20 @@ private:
     uint32_t traceSample(uint32_t left, uint32_t bottom, uint32_t seen, uint32_t sample,
                          glm::vec4 (&sum)[kPacketSize]) {
         RayPacket packet{};
+        RayCone cones[kPacketSize];
         uint32_t bad = 0;
         for (uint32_t lanes = seen; lanes != 0; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(std::countr_zero(lanes));
             const uint32_t x = tile_.x + left + lane % kPacketSide;
             const uint32_t y = tile_.y + bottom + lane / kPacketSide;
             const glm::vec2 position = samplePosition(x, y, frame_.seed, sample, samples_);
+            const double column = double(x) + position.x, row = double(y) + position.y;
             Ray ray;
-            if (!camera_.make(double(x) + position.x, double(y) + position.y, ray)) {
+            if (!camera_.make(column, row, ray)) {
                 bad |= 1u << lane;
                 continue;
             }
+            cones[lane] = camera_.cone(column, row, ray);
             for (int k = 0; k < 3; ++k) {
                 packet.org[k][lane] = ray.org[k];
                 packet.dir[k][lane] = ray.dir[k];
@@ -138,7 +141,7 @@ private:
             const Ray ray = rayOf(packet, lane);
             services_.beginSample(tile_.x + left + lane % kPacketSide,
                                   tile_.y + bottom + lane / kPacketSide, sample);
-            const ShadedSample shaded = services_.shadeCameraRay(ray, hitOf(hits, lane));
+            const ShadedSample shaded = services_.shadeCameraRay(ray, hitOf(hits, lane), cones[lane]);
             if (shaded.bad) bad |= 1u << lane;
             sum[lane] += shaded.color;
             if (sample == 0) storeFirst(entryOf(left, bottom, lane), ray, shaded);

@@ -18,13 +18,14 @@ struct PixelInTrace : RTSpixel {
 void tracePoint(RTSpixel* pixel, float x, float y, float rgba[4]) {
     PixelInTrace& self = *static_cast<PixelInTrace*>(pixel);
     for (int k = 0; k < 4; ++k) rgba[k] = k < 3 ? 0.0f : 1.0f;
+    const double column = double(self.x) + x, row = double(self.y) + y;
     Ray ray;
-    if (!self.camera->make(double(self.x) + x, double(self.y) + y, ray)) {
+    if (!self.camera->make(column, row, ray)) {
         self.result.bad = true;
         return;
     }
     self.services->beginSample(self.x, self.y, self.rays++);
-    const ShadedSample sample = self.services->traceCameraRay(ray);
+    const ShadedSample sample = self.services->traceCameraRay(ray, self.camera->cone(column, row, ray));
     self.result.bad |= sample.bad;
     if (!self.result.hasFirst) {
         self.result.hasFirst = true;

@@ -94,12 +94,13 @@ void ShadingServices::beginSample(uint32_t x, uint32_t y, uint32_t sample) {
     random_ = RandomStream(x, y, sample, frame_.seed);
 }
 
-ShadedSample ShadingServices::shadeCameraRay(const Ray& ray, const Hit& hit) {
+ShadedSample ShadingServices::shadeCameraRay(const Ray& ray, const Hit& hit,
+                                             const RayCone& cone) {
     ShadedSample sample;
     if (hit.triangle == kNoHit)
-        sample.color = shadeMiss(ray, 0, 1.0f);
+        sample.color = shadeMiss(ray, cone, 0, 1.0f);
     else
-        sample.color = shadeHit(ray, hit, 0, 1.0f, &sample);
+        sample.color = shadeHit(ray, cone, hit, 0, 1.0f, &sample);
     if (takeFault() || !isFinite(sample.color)) {
         sample.bad = true;
         sample.color = {0.0f, 0.0f, 0.0f, 1.0f};
@@ -107,9 +108,9 @@ ShadedSample ShadingServices::shadeCameraRay(const Ray& ray, const Hit& hit) {
     return sample;
 }
 
-ShadedSample ShadingServices::traceCameraRay(const Ray& ray) {
+ShadedSample ShadingServices::traceCameraRay(const Ray& ray, const RayCone& cone) {
     ++counters_.primaryRays;
-    return shadeCameraRay(ray, findHit(ray));
+    return shadeCameraRay(ray, findHit(ray), cone);
 }
 
 RTSstate ShadingServices::emptyState() {
@@ -135,6 +136,7 @@ RTSstate ShadingServices::makeState(Origin& origin, const Ray& ray, uint32_t dep
     state.pixel[1] = pixel_[1];
     state.sample = sample_;
     state.result[3] = 1.0f;
+    state.footprint = origin.chain ? origin.cone.width : origin.cone.spread;
     return state;
 }
 
@@ -172,10 +174,10 @@ const ShaderObject* ShadingServices::findSurface(const HitChain& chain) const {
     return shader && shader->shaderClass().kind() == RT_SURFACE_SHADER ? shader : nullptr;
 }
 
-glm::vec4 ShadingServices::shadeHit(const Ray& ray, const Hit& hit, uint32_t depth, float weight,
-                                    ShadedSample* camera) {
+glm::vec4 ShadingServices::shadeHit(const Ray& ray, const RayCone& cone, const Hit& hit,
+                                    uint32_t depth, float weight, ShadedSample* camera) {
     const HitChain chain = chainOf(hit);
-    Origin origin{this, &chain, hit.u, hit.v};
+    Origin origin{this, &chain, hit.u, hit.v, cone.after(hit.t)};
     RTSstate state = makeState(origin, ray, depth, weight);
     fillSurfacePoint(chain, hit.path[0], ray, hit.t, hit.u, hit.v, state);
     if (camera) {
@@ -195,9 +197,10 @@ glm::vec4 ShadingServices::shadeHit(const Ray& ray, const Hit& hit, uint32_t dep
     return {state.result[0], state.result[1], state.result[2], state.result[3]};
 }
 
-glm::vec4 ShadingServices::shadeMiss(const Ray& ray, uint32_t depth, float weight) {
+glm::vec4 ShadingServices::shadeMiss(const Ray& ray, const RayCone& cone, uint32_t depth,
+                                     float weight) {
     if (!frame_.environment) return frame_.clearColor;
-    Origin origin{this};
+    Origin origin{this, nullptr, 0.0f, 0.0f, cone};
     RTSstate state = makeState(origin, ray, depth, weight);
     const ShaderObject& shader = *frame_.environment;
     if (shader.functions().shade(shader.block(), &state) != 0) {
@@ -226,7 +229,8 @@ glm::vec3 ShadingServices::transparency(const Ray& ray, const Hit& hit, const RT
     const HitChain chain = chainOf(hit);
     const ShaderObject* shader = findSurface(chain);
     if (!shader || !shader->functions().transparency) return glm::vec3(0.0f);
-    Origin origin{this, &chain, hit.u, hit.v, false};
+    const RayCone& cone = static_cast<const Origin*>(from.tracer)->cone;
+    Origin origin{this, &chain, hit.u, hit.v, cone.after(hit.t), false};
     RTSstate state = makeState(origin, ray, from.depth + 1, from.weight);
     fillSurfacePoint(chain, hit.path[0], ray, hit.t, hit.u, hit.v, state);
     VertexScratch scratch;
@@ -254,8 +258,9 @@ int ShadingServices::trace(RTSstate* state, const float origin[3], const float d
     ++self.counters_.secondaryRays;
     const Hit hit = self.findHit(ray);
     const uint32_t depth = state->depth + 1;
-    const glm::vec4 color = hit.triangle == kNoHit ? self.shadeMiss(ray, depth, share)
-                                                   : self.shadeHit(ray, hit, depth, share, nullptr);
+    const glm::vec4 color = hit.triangle == kNoHit
+                                ? self.shadeMiss(ray, from.cone, depth, share)
+                                : self.shadeHit(ray, from.cone, hit, depth, share, nullptr);
     for (int k = 0; k < 3; ++k) radiance[k] = color[k];
     return 1;
 }
@@ -325,19 +330,20 @@ void ShadingServices::texture(RTSstate* state, RTuint texture, float s, float t,
     const Frame& frame = static_cast<const Origin*>(state->tracer)->services->frame_;
     glm::vec4 texel(1.0f);
     if (frame.textures && texture < frame.textures->size() && (*frame.textures)[texture])
-        texel = (*frame.textures)[texture]->sample(s, t);
+        texel = (*frame.textures)[texture]->sample(s, t, textureFootprint(*state));
     for (int k = 0; k < 4; ++k) rgba[k] = texel[k];
 }
 
 void ShadingServices::environment(RTSstate* state, const float direction[3], float radiance[3]) {
-    ShadingServices& self = *static_cast<const Origin*>(state->tracer)->services;
+    const Origin& from = *static_cast<const Origin*>(state->tracer);
+    ShadingServices& self = *from.services;
     glm::vec4 color(0.0f);
     // Environment shaders that ask the environment would go on for ever.
     if (state->depth <= self.recursionLimit_) {
         Ray ray{};
         copy(ray.org, state->position);
         copy(ray.dir, normalized(direction));
-        color = self.shadeMiss(ray, state->depth + 1, state->weight);
+        color = self.shadeMiss(ray, from.cone, state->depth + 1, state->weight);
     }
     for (int k = 0; k < 3; ++k) radiance[k] = color[k];
 }

@@ -9,6 +9,7 @@
 
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/render/frame.h"
+#include "libsmart/render/ray_cone.h"
 #include "libsmart/render/sampling.h"
 #include "libsmart/scene/hit_chain.h"
 #include "libsmart/scene/query.h"
@@ -37,10 +38,10 @@ public:
     void beginSample(uint32_t x, uint32_t y, uint32_t sample);
 
     /// Shades what a camera ray, with a direction of length 1, met. hit.triangle may be kNoHit.
-    ShadedSample shadeCameraRay(const Ray& ray, const Hit& hit);
+    ShadedSample shadeCameraRay(const Ray& ray, const Hit& hit, const RayCone& cone = {});
 
     /// Traces and shades a camera ray.
-    ShadedSample traceCameraRay(const Ray& ray);
+    ShadedSample traceCameraRay(const Ray& ray, const RayCone& cone = {});
 
     /// A state at no surface, for shaders that are asked before a ray is traced.
     RTSstate emptyState();
@@ -54,6 +55,7 @@ private:
         ShadingServices* services;
         const HitChain* chain = nullptr; ///< of the shaded point; nullptr: none
         float u = 0, v = 0;
+        RayCone cone{};       ///< of the rays that go on from the point
         bool mayTrace = true; ///< false while shadows ask for transparency
     };
 
@@ -76,9 +78,9 @@ private:
     HitChain chainOf(const Hit& hit) const;
     /// Radiance and alpha from a hit; black if the shader fails. `camera`: what else a camera
     /// ray's sample is to know, or nullptr.
-    glm::vec4 shadeHit(const Ray& ray, const Hit& hit, uint32_t depth, float weight,
-                       ShadedSample* camera);
-    glm::vec4 shadeMiss(const Ray& ray, uint32_t depth, float weight);
+    glm::vec4 shadeHit(const Ray& ray, const RayCone& cone, const Hit& hit, uint32_t depth,
+                       float weight, ShadedSample* camera);
+    glm::vec4 shadeMiss(const Ray& ray, const RayCone& cone, uint32_t depth, float weight);
     glm::vec3 attenuate(Ray ray, const RTSstate& from);
     glm::vec3 transparency(const Ray& ray, const Hit& hit, const RTSstate& from);
     const ShaderObject* findSurface(const HitChain& chain) const;

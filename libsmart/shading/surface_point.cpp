@@ -104,6 +104,15 @@ void interpolate(const glm::vec4 (&corners)[3], const glm::dvec3& weights, float
                       weights[2] * corners[2][k]);
 }
 
+/// Texture coordinates per unit of length on a triangle: the root of its area in the one divided
+/// by its area in the other.
+float densityOf(const glm::vec4 (&corners)[3], double doubleArea) {
+    const double s1 = double(corners[1].x) - corners[0].x, t1 = double(corners[1].y) - corners[0].y;
+    const double s2 = double(corners[2].x) - corners[0].x, t2 = double(corners[2].y) - corners[0].y;
+    const float density = float(std::sqrt(std::fabs(s1 * t2 - s2 * t1) / doubleArea));
+    return std::isfinite(density) ? density : 0.0f;
+}
+
 const std::byte* findBlock(const std::vector<uint32_t>& offsets, const std::vector<std::byte>& data,
                            uint32_t index) {
     if (offsets.empty() || offsets[index] == ShadingData::kNone) return nullptr;
@@ -142,6 +151,7 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
 
     // Underflow may take the normal of a triangle that is hit: then it faces the ray.
     glm::dvec3 geometric = chain.worldNormal();
+    const double doubleArea = std::sqrt(glm::dot(geometric, geometric));
     if (!normalizeSafely(geometric)) geometric = -direction;
     store(state.geometricNormal, geometric);
     state.frontFace = glm::dot(direction, geometric) > 0 ? 0u : 1u;
@@ -157,6 +167,7 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
     corners.get(shading.texCoords, shading.firstTexCoord, &InheritedAttributes::ownTexCoord,
                 &InheritedAttributes::texCoord, values);
     interpolate(values, weights, state.texCoord);
+    state.texCoordDensity = shading.texCoords.empty() ? 0.0f : densityOf(values, doubleArea);
     corners.get(shading.colors, shading.firstColor, &InheritedAttributes::ownColor,
                 &InheritedAttributes::color, values);
     interpolate(values, weights, state.color);

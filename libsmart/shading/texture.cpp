@@ -133,6 +133,10 @@ glm::vec4 Texture::texel(uint32_t x, uint32_t y) const {
     }
 }
 
+glm::vec4 Texture::sample(float s, float t, float) const {
+    return sample(s, t);
+}
+
 glm::vec4 Texture::sample(float s, float t) const {
     if (!std::isfinite(s) || !std::isfinite(t)) return {0.0f, 0.0f, 0.0f, 1.0f};
     const double x = toTexels(s, width_, options_.wrapS), y = toTexels(t, height_, options_.wrapT);

@@ -31,6 +31,8 @@ public:
     /// (1, 1) its upper right one. Wrapping leaves no seam. Mirrored images repeat their border
     /// texels. Coordinates that are not finite read as opaque black, texels that are NaN as 0.
     glm::vec4 sample(float s, float t) const;
+    /// The same for what covers `footprint` of the unit square's side.
+    glm::vec4 sample(float s, float t, float footprint) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
