@@ -2,6 +2,7 @@
 #include "compat/recorder/frame_driver.h"
 
 #include <atomic>
+#include <string>
 #include <utility>
 
 #include "libsmart/base/error.h"
@@ -43,6 +44,11 @@ void FrameDriver::waitFor(uint64_t frame) {
         throw;
     }
     count();
+    if (const uint64_t bad = frameStatistics_.badPixels; bad > 0)
+        throw Error(ErrorCode::InvalidOperation,
+                    "the picture is complete, but " + std::to_string(bad) +
+                        (bad == 1 ? " pixel is" : " pixels are") +
+                        " black: a shader failed there, or its colour was not finite");
 }
 
 void FrameDriver::start() {

@@ -18,7 +18,8 @@ public:
 
     /// Freezes the scene and queues it; leaves an empty one.
     void start();
-    /// Waits for the frame of start(); rethrows what made it fail.
+    /// Waits for the frame of start(); rethrows what made it fail. Throws Error, once a frame,
+    /// where shaders failed in some of its pixels.
     void end();
     void render();
     /// Renders and waits for what was given so far, unless nothing was since the last time.

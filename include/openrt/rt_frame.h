@@ -83,8 +83,9 @@ RTAPI void RTAPIENTRY rtUseRenderingObject(RTuint shader);
 RTAPI void RTAPIENTRY rtStartRendering(void);
 
 /* Waits for the frame that rtStartRendering started. Not in an object.
- * Errors:  RT_INVALID_OPERATION  none in flight
- *          what went wrong while it was rendered
+ * Errors:  RT_INVALID_OPERATION  none in flight; or the picture is complete but for pixels
+ *                                (RT_STAT_BAD_PIXELS) in which a shader failed: they are black
+ *          what else went wrong while it was rendered
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtEndRendering(void);
 

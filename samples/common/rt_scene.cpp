@@ -48,6 +48,18 @@ void checkRt() {
     }
 }
 
+void endFrame() {
+    checkRt();
+    rtEndRendering();
+    RTint badPixels = 0;
+    rtGetIntegerv(RT_STAT_BAD_PIXELS, &badPixels);
+    if (badPixels > 0) {
+        rtGetError();
+    } else {
+        checkRt();
+    }
+}
+
 RtScene::RtScene(const SceneDescription& scene, const Bounds& bounds, const View& view,
                  const Lighting& lighting)
     : textures_(scene.textures.size(), std::array<RTuint, 2>{0, 0}), exposure_(lighting.exposure) {

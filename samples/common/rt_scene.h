@@ -51,4 +51,8 @@ private:
 /// Throws std::runtime_error with the library's text if a call since the last check failed.
 void checkRt();
 
+/// Waits for the frame in flight, and throws as checkRt does. Pixels in which a shader failed are
+/// no reason to: they are black, and counted (RT_STAT_BAD_PIXELS).
+void endFrame();
+
 } // namespace samples

@@ -120,8 +120,7 @@ int run() {
         rtStartRendering();
         samples::checkRt();
         showProgress();
-        rtEndRendering();
-        samples::checkRt();
+        samples::endFrame();
         statistics.frameSeconds.push_back(secondsSince(start));
     }
     statistics.scene = options.scene;
@@ -136,6 +135,10 @@ int run() {
     file.write(picture.encode());
 
     for (const std::string& note : description.notes) std::cerr << "note: " << note << '\n';
+    if (statistics.badPixels > 0) {
+        std::cerr << "note: " << statistics.badPixels
+                  << " pixels are black: a shader failed there\n";
+    }
     if (statistics.droppedTriangles + statistics.droppedInstances > 0) {
         std::cerr << "note: " << statistics.droppedTriangles << " triangles and "
                   << statistics.droppedInstances
