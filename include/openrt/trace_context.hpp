@@ -138,9 +138,9 @@ public:
         return Color(attenuation);
     }
     RTuint lightCount() const { return Calls::lightCount(state_); }
-    bool illuminate(RTuint light, LightSample& sample) {
+    bool illuminate(RTuint light, LightSample& sample, bool wanted = true) {
         RTSlightsample s = {};
-        if (!Calls::illuminate(state_, light, &s)) return false;
+        if (!wanted || !Calls::illuminate(state_, light, &s)) return false;
         sample = {Vec3(s.direction), s.distance, Color(s.radiance)};
         return true;
     }

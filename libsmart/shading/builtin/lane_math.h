@@ -10,5 +10,14 @@ namespace smart::math {
 inline openrt::Floats pow(const openrt::Floats& base, float exponent) {
     return openrt::forEachLane([exponent](float x) { return pow(x, exponent); }, base);
 }
+inline openrt::Floats exp(const openrt::Floats& a) {
+    return openrt::forEachLane([](float x) { return exp(x); }, a);
+}
+inline openrt::Floats sin(const openrt::Floats& a) {
+    return openrt::forEachLane([](float x) { return sin(x); }, a);
+}
+inline openrt::Floats cos(const openrt::Floats& a) {
+    return openrt::forEachLane([](float x) { return cos(x); }, a);
+}
 
 } // namespace smart::math
