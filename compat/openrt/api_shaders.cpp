@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "compat/openrt/guard.h"
+#include "libsmart/shading/plugin_loader.h"
+#include "libsmart/shading/plugin_search.h"
 #include "openrt/rt_shaders.h"
 #include "openrt/rts.h"
 
@@ -35,8 +37,8 @@ RTAPI RTuint RTAPIENTRY rtGenNewShaderClass(const char* shaderName, const char* 
         ShaderCatalog& shaders = c.recorder().shaders();
         requirePointer(shaderName, "shaderName");
         if (fileName)
-            throwError(ErrorCode::InvalidValue, std::string(fileName) +
-                                                    ": this release loads no shader libraries");
+            return shaders.addClass(
+                loadShaderClass(shaderName, findShaderLibrary(fileName, shaderFolders())));
         ShaderClassPtr found = shaders.findClass(shaderName);
         if (!found)
             throwError(ErrorCode::InvalidValue,
