@@ -48,11 +48,11 @@ bool CameraRays::covers(uint32_t x, uint32_t y) const {
            row < int64_t(viewport.height);
 }
 
-bool CameraRays::make(double x, double y, Ray& ray) const {
+bool CameraRays::make(double x, double y, Ray& ray, const CameraSample& sample) const {
     const Viewport& viewport = frame_.viewport;
     x = (x - viewport.x) / viewport.width;
     y = (y - viewport.y) / viewport.height;
-    return frame_.camera ? fromShader(x, y, ray) : fromMatrix(x, y, ray);
+    return frame_.camera ? fromShader(x, y, ray, sample.state) : fromMatrix(x, y, ray);
 }
 
 bool CameraRays::fromMatrix(double x, double y, Ray& ray) const {
@@ -78,8 +78,9 @@ bool CameraRays::fromMatrix(double x, double y, Ray& ray) const {
     return store(ray, origin, direction, 0.0, endless ? kInfinity : range);
 }
 
-bool CameraRays::fromShader(double x, double y, Ray& ray) const {
+bool CameraRays::fromShader(double x, double y, Ray& ray, RTSstate* state) const {
     RTScameraray given{};
+    given.state = state;
     given.tfar = std::numeric_limits<float>::infinity();
     const ShaderObject& camera = *frame_.camera;
     const auto cameraRay = camera.functions().cameraRay;
@@ -90,8 +91,8 @@ bool CameraRays::fromShader(double x, double y, Ray& ray) const {
                  given.tnear * length, given.tfar * length);
 }
 
-RayCone CameraRays::cone(double x, double y, const Ray& ray) const {
-    return frame_.camera ? shaderCone(x, y, ray) : matrixCone(x, y);
+RayCone CameraRays::cone(double x, double y, const Ray& ray, const CameraSample& sample) const {
+    return frame_.camera ? shaderCone(x, y, ray, sample) : matrixCone(x, y);
 }
 
 // The derivatives of fromMatrix.
@@ -120,13 +121,23 @@ RayCone CameraRays::matrixCone(double x, double y) const {
     return coneBetween(along, origin, direction, sampleSide_);
 }
 
-RayCone CameraRays::shaderCone(double x, double y, const Ray& ray) const {
+RayCone CameraRays::shaderCone(double x, double y, const Ray& ray,
+                               const CameraSample& sample) const {
+    PixelSample unchanged;
+    if (sample.sample) unchanged = *sample.sample;
+    const auto neighbour = [&](double column, double row, Ray& next) {
+        PixelSample* const drawn = sample.sample;
+        if (drawn) *drawn = PixelSample(drawn->x, drawn->y, drawn->number, frame_.seed);
+        const bool made = make(column, row, next, sample);
+        if (drawn) *drawn = unchanged;
+        return made;
+    };
     const glm::dvec3 from(ray.org[0], ray.org[1], ray.org[2]);
     const glm::dvec3 along(ray.dir[0], ray.dir[1], ray.dir[2]);
     glm::dvec3 origin[2], direction[2];
     for (int k = 0; k < 2; ++k) {
         Ray next;
-        if (!make(x + (k == 0), y + (k == 1), next)) return {};
+        if (!neighbour(x + (k == 0), y + (k == 1), next)) return {};
         origin[k] = glm::dvec3(next.org[0], next.org[1], next.org[2]) - from;
         direction[k] = glm::dvec3(next.dir[0], next.dir[1], next.dir[2]) - along;
     }

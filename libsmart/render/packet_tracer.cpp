@@ -108,6 +108,7 @@ private:
                          glm::vec4 (&sum)[kPacketSize]) {
         RayPacket packet{};
         RayCone cones[kPacketSize];
+        PixelSample samplesOf[kPacketSize];
         uint32_t bad = 0;
         for (uint32_t lanes = seen; lanes != 0; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(std::countr_zero(lanes));
@@ -116,11 +117,12 @@ private:
             const glm::vec2 position = samplePosition(x, y, frame_.seed, sample, samples_);
             const double column = double(x) + position.x, row = double(y) + position.y;
             Ray ray;
-            if (!camera_.make(column, row, ray)) {
+            samplesOf[lane] = PixelSample(x, y, sample, frame_.seed);
+            if (!services_.makeCameraRay(camera_, column, row, samplesOf[lane], ray,
+                                         cones[lane])) {
                 bad |= 1u << lane;
                 continue;
             }
-            cones[lane] = camera_.cone(column, row, ray);
             for (int k = 0; k < 3; ++k) {
                 packet.org[k][lane] = ray.org[k];
                 packet.dir[k][lane] = ray.dir[k];
@@ -139,9 +141,8 @@ private:
         for (uint32_t lanes = packet.active; lanes != 0; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(std::countr_zero(lanes));
             const Ray ray = rayOf(packet, lane);
-            services_.beginSample(tile_.x + left + lane % kPacketSide,
-                                  tile_.y + bottom + lane / kPacketSide, sample);
-            const ShadedSample shaded = services_.shadeCameraRay(ray, hitOf(hits, lane), cones[lane]);
+            const ShadedSample shaded = services_.shadeCameraRay(
+                ray, hitOf(hits, lane), {&samplesOf[lane], 0, 1.0f, 0, cones[lane]});
             if (shaded.bad) bad |= 1u << lane;
             sum[lane] += shaded.color;
             if (sample == 0) storeFirst(entryOf(left, bottom, lane), ray, shaded);
@@ -173,7 +174,7 @@ private:
     const Tile& tile_;
     TilePixels& pixels_;
     const CameraRays camera_;
-    ShadingServices services_;
+    ShadingServices<> services_;
     const uint32_t samples_;
 };
 

@@ -39,12 +39,19 @@ struct Stage {
         shaders.push_back(std::move(shader));
     }
     ShadedSample look(glm::vec3 from = {0.5f, 0.25f, 10.0f}, glm::vec3 along = {0, 0, -1}) {
-        frame.scene = makeScene(instances);
-        frame.shaders = std::make_shared<const ShaderTable>(shaders);
-        ShadingServices services(frame, counts);
-        services.beginSample(0, 0, 0);
+        Frame frozen; // a frame does not change once it is asked: each look is another one
+        frozen.scene = makeScene(instances);
+        frozen.shaders = std::make_shared<const ShaderTable>(shaders);
+        frozen.textures = frame.textures;
+        frozen.lights = frame.lights;
+        frozen.environment = frame.environment;
+        frozen.clearColor = frame.clearColor;
+        frozen.recursionLimit = frame.recursionLimit;
+        frozen.weightCutoff = frame.weightCutoff;
+        ShadingServices services(frozen, counts);
+        PixelSample sample(0, 0, 0, 0);
         return services.traceCameraRay(
-            {{from.x, from.y, from.z}, {along.x, along.y, along.z}, 0.0f, kInf});
+            {{from.x, from.y, from.z}, {along.x, along.y, along.z}, 0.0f, kInf}, {&sample});
     }
 };
 
