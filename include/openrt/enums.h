@@ -54,6 +54,7 @@
 #define RT_3_BYTES 0x1408
 #define RT_4_BYTES 0x1409
 #define RT_DOUBLE 0x140A
+#define RT_HALF_FLOAT 0x140B /* 16 bits, IEEE 754; with OpenGL 3.0's value */
 
 /* What ray tracing adds to OpenGL's state (rtEnable, rtMaterial, rtShadeModel) */
 #define RT_SHADOWS 0x7F000     /* enable: lights of the fixed-function surface cast shadows */
