@@ -99,9 +99,17 @@ InstanceGroup::InstanceGroup(std::vector<Instance> instances, unsigned threads)
     }
 }
 
+std::size_t ShaderReplacement::bytes() const {
+    return sizeof(ShaderReplacement) + pairs.capacity() * sizeof(pairs[0]) +
+           keepAlive.capacity() * sizeof(keepAlive[0]);
+}
+
 std::size_t InstanceGroup::bytes() const {
+    std::size_t replacements = 0;
+    for (const Instance& instance : instances_)
+        if (instance.replacement) replacements += instance.replacement->bytes();
     return instances_.capacity() * sizeof(Instance) + views_.capacity() * sizeof(InstanceView) +
-           tree_.bytes();
+           replacements + tree_.bytes();
 }
 
 void InstanceGroup::show(ModelView& view) const {

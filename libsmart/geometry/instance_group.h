@@ -29,6 +29,7 @@ struct ShaderReplacement {
             if (replaced == shader) return by;
         return shader;
     }
+    std::size_t bytes() const;
 };
 
 /// Attributes of vertices for which their object set none; fixed at instantiation. Inside an
