@@ -33,7 +33,7 @@ struct MinificationFilter {
 struct TextureOptions {
     TextureWrap wrapS = TextureWrap::Repeat, wrapT = TextureWrap::Repeat;
     TextureFilter magnification = TextureFilter::Linear;
-    MinificationFilter minification;
+    MinificationFilter minification{};
     glm::vec4 border{0.0f};                   ///< linear RGBA
     float levelBias = 0.0f;                   ///< added to the level of detail; within +-kMaxBias
     float minLevel = -1000.0f, maxLevel = 1000.0f; ///< limits of the level of detail

@@ -10,9 +10,10 @@
 namespace smart::compat {
 namespace {
 
-std::shared_ptr<const Texture> image(TextureOptions options = {}) {
-    return std::make_shared<const Texture>(2, 1, 1, TexelType::Byte, std::vector<std::byte>(2),
-                                           options);
+TextureImagePtr image(uint32_t width, uint32_t height, uint8_t value = 0) {
+    return std::make_shared<const TextureImage>(
+        width, height, 1, TexelType::Byte, false,
+        std::vector<std::byte>(width * height, std::byte(value)));
 }
 
 TEST(TextureStore, GeneratesUnusedIds) {
@@ -31,28 +32,20 @@ TEST(TextureStore, GeneratesUnusedIds) {
 TEST(TextureStore, FreezesAndKeepsWhatWasFrozen) {
     TextureStore store;
     store.bind(3);
-    store.setImage(image());
+    store.setImage(0, image(2, 1), 1);
     const auto first = store.freeze();
     EXPECT_EQ(store.freeze(), first) << "nothing changed";
     ASSERT_GT(first->size(), 3u);
     EXPECT_EQ((*first)[0], nullptr);
     ASSERT_NE((*first)[3], nullptr);
 
-    TextureOptions options = store.options();
-    options.wrapS = TextureWrap::Mirror;
-    store.setOptions(options);
+    TextureParameters parameters = store.parameters();
+    parameters.options.wrapS = TextureWrap::Mirror;
+    store.setParameters(parameters);
     const auto second = store.freeze();
     EXPECT_NE(second, first);
     EXPECT_EQ((*second)[3]->options().wrapS, TextureWrap::Mirror);
     EXPECT_EQ((*first)[3]->options().wrapS, TextureWrap::Repeat);
-
-    TextureOptions srgb;
-    srgb.srgb = true;
-    store.setImage(image(srgb));
-    options = store.options();
-    options.filter = TextureFilter::Nearest;
-    store.setOptions(options);
-    EXPECT_TRUE((*store.freeze())[3]->options().srgb) << "a filter does not change the encoding";
 
     store.remove(3);
     EXPECT_EQ(store.bound(), 0u);
