@@ -19,5 +19,11 @@ inline openrt::Floats sin(const openrt::Floats& a) {
 inline openrt::Floats cos(const openrt::Floats& a) {
     return openrt::forEachLane([](float x) { return cos(x); }, a);
 }
+inline openrt::Floats asin(const openrt::Floats& a) {
+    return openrt::forEachLane([](float x) { return asin(x); }, a);
+}
+inline openrt::Floats atan2(const openrt::Floats& y, const openrt::Floats& x) {
+    return openrt::forEachLane([](float a, float b) { return atan2(a, b); }, y, x);
+}
 
 } // namespace smart::math
