@@ -91,12 +91,15 @@ private:
         for (uint32_t sample = 0; sample < samples_; ++sample)
             bad |= traceSample(left, bottom, seen, sample, sum);
 
-        pixels_.badPixels += uint64_t(std::popcount(bad));
         for (uint32_t lanes = seen; lanes != 0; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(std::countr_zero(lanes));
+            const glm::vec4 mean = sum[lane] / float(samples_);
+            for (int k = 0; k < 4; ++k) // finite samples may add up to what is not
+                if (!std::isfinite(mean[k])) bad |= 1u << lane;
             pixels_.color[entryOf(left, bottom, lane)] =
-                bad >> lane & 1 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : sum[lane] / float(samples_);
+                bad >> lane & 1 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : mean;
         }
+        pixels_.badPixels += uint64_t(std::popcount(bad));
     }
 
     static uint32_t entryOf(uint32_t left, uint32_t bottom, uint32_t lane) {

@@ -66,8 +66,14 @@ std::shared_ptr<const ShaderTable> ShaderRegistry::freeze() {
     for (std::size_t i = 0; i < table->size(); ++i) {
         Shader* shader = registered_->living[i];
         if (!shader) continue;
-        if (!shader->frozen_)
-            shader->frozen_ = std::make_shared<const ShaderObject>(shader->class_, shader->values_);
+        if (!shader->frozen_) {
+            try {
+                shader->frozen_ =
+                    std::make_shared<const ShaderObject>(shader->class_, shader->values_);
+            } catch (const Error&) {
+                continue; // without an object: only what uses this shader suffers
+            }
+        }
         (*table)[i] = shader->frozen_;
     }
     registered_->table = table;
