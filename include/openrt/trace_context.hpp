@@ -182,6 +182,15 @@ public:
     const T& vertexParam() const {
         return *static_cast<const T*>(state_->vertexParam);
     }
+    /// One of their numbers, as packets have it: c.vertexParam(&VertexParam::heat).
+    template <class T>
+    float triangleParam(float T::*member) const {
+        return triangleParam<T>().*member;
+    }
+    template <class T>
+    float vertexParam(float T::*member) const {
+        return vertexParam<T>().*member;
+    }
 
     /// Camera shaders only: the ray through the point of the picture. Besides, those may ask for
     /// pixel, sample and random numbers.
