@@ -100,7 +100,8 @@ InstanceGroup::InstanceGroup(std::vector<Instance> instances, unsigned threads)
 }
 
 std::size_t ShaderReplacement::bytes() const {
-    return sizeof(ShaderReplacement) + pairs.capacity() * sizeof(pairs[0]) +
+    constexpr std::size_t kOwnerCounts = 2 * sizeof(void*); // beside it, where it is shared
+    return sizeof(ShaderReplacement) + kOwnerCounts + pairs.capacity() * sizeof(pairs[0]) +
            keepAlive.capacity() * sizeof(keepAlive[0]);
 }
 
