@@ -136,8 +136,10 @@ RayCone CameraRays::shaderCone(double x, double y, const Ray& ray,
     const glm::dvec3 along(ray.dir[0], ray.dir[1], ray.dir[2]);
     glm::dvec3 origin[2], direction[2];
     for (int k = 0; k < 2; ++k) {
-        Ray next;
-        if (!neighbour(x + (k == 0), y + (k == 1), next)) return {};
+        Ray next; // where the picture of a camera ends, the neighbour on the other side
+        if (!neighbour(x + (k == 0), y + (k == 1), next) &&
+            !neighbour(x - (k == 0), y - (k == 1), next))
+            return {};
         origin[k] = glm::dvec3(next.org[0], next.org[1], next.org[2]) - from;
         direction[k] = glm::dvec3(next.dir[0], next.dir[1], next.dir[2]) - along;
     }
