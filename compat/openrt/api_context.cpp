@@ -2,10 +2,12 @@
 #include <cstdint>
 #include <utility>
 
+#include "compat/openrt/frame_callback.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/init_arguments.h"
 #include "compat/openrt/query_handles.h"
 #include "compat/openrt/tokens.h"
+#include "compat/recorder/frame_table.h"
 #include "libsmart/kernel/kernels.h"
 #include "openrt/rt_core.h"
 #include "openrt/version.h"
@@ -40,6 +42,7 @@ private:
 } // namespace
 
 RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
+    if (refusedOnWorker(__func__)) return;
     try {
         if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
         const InitOptions options = takeInitArguments(argcp, argv);
@@ -53,11 +56,14 @@ RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
 }
 
 RTAPI void RTAPIENTRY rtExit(void) {
+    if (refusedOnWorker(__func__)) return;
     destroyAllContexts();
     releaseAllQueryScenes();
+    frameTable().forgetAll();
 }
 
 RTAPI RTcontext RTAPIENTRY rtCreateContext(void) {
+    if (refusedOnWorker(__func__)) return nullptr;
     try {
         return handleOf(createContext(threadsFromEnvironment()));
     } catch (...) {
@@ -67,6 +73,7 @@ RTAPI RTcontext RTAPIENTRY rtCreateContext(void) {
 }
 
 RTAPI RTboolean RTAPIENTRY rtMakeCurrent(RTcontext context) {
+    if (refusedOnWorker(__func__)) return RT_FALSE;
     try {
         makeContextCurrent(idOf(context));
         return RT_TRUE;
@@ -77,6 +84,7 @@ RTAPI RTboolean RTAPIENTRY rtMakeCurrent(RTcontext context) {
 }
 
 RTAPI void RTAPIENTRY rtDestroyContext(RTcontext context) {
+    if (refusedOnWorker(__func__)) return;
     try {
         if (context) destroyContext(idOf(context));
     } catch (...) {
@@ -85,6 +93,7 @@ RTAPI void RTAPIENTRY rtDestroyContext(RTcontext context) {
 }
 
 RTAPI RTcontext RTAPIENTRY rtGetCurrentContext(void) {
+    refusedInCallback(__func__); // there is none on a thread of the library
     return handleOf(currentContextId());
 }
 

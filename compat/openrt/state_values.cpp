@@ -77,6 +77,8 @@ std::optional<StateValue> frameValue(Context& context, RTenum name) {
     case RT_PRECISION_HINT:
         return number(settings.precision == Precision::Fast ? RT_FASTEST : RT_DONT_CARE);
     case RT_FRAME_PROGRESS: return number(context.frames().progress());
+    case RT_FRAME_DEPTH: return number(context.frames().depth());
+    case RT_SCENE_BINDING: return number(context.recorder().boundScene());
     default: return std::nullopt;
     }
 }

@@ -109,6 +109,8 @@
 #define RT_CANCELLED 0x7F053      /* rtCancelFrame came before the last tile */
 #define RT_FAILED 0x7F054         /* the library could not finish the frame */
 #define RT_FRAME_PROGRESS 0x7F055 /* callback event: a tile has been delivered */
+#define RT_FRAME_DEPTH 0x7F056    /* rtGetIntegerv: how many frames may be in flight */
+#define RT_SCENE_BINDING 0x7F057  /* rtGetIntegerv: the bound scene */
 
 /* Statistics (rtGetIntegerv, rtGetInteger64v) */
 #define RT_STAT_TRIANGLES 0x7F100          /* triangles of the last frame, each model once */

@@ -43,6 +43,8 @@ public:
     SignalsBlocked& operator=(const SignalsBlocked&) = delete;
 };
 
+thread_local bool isWorker = false;
+
 void nameThisThread([[maybe_unused]] unsigned number) {
 #if defined(__linux__)
     const std::string name = "openrt-" + std::to_string(number); // the system takes 15 characters
@@ -54,14 +56,20 @@ void nameThisThread([[maybe_unused]] unsigned number) {
 
 void work(TileSource& source, const Tracer& tracer) {
     TilePixels pixels;
-    while (const auto job = source.next()) {
+    TileJob job;
+    while (source.next(job)) {
         try {
-            tracer.render(*job->frame, job->tile, pixels);
-            source.done(*job, pixels);
+            tracer.render(*job.frame, job.tile, pixels);
         } catch (...) {
-            source.failed(*job, std::current_exception());
+            source.failed(job, std::current_exception());
+            continue;
         }
+        source.done(job, pixels);
     }
+}
+
+bool onWorkerThread() noexcept {
+    return isWorker;
 }
 
 ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& tracer) {
@@ -72,6 +80,7 @@ ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& trace
             threads_.emplace_back([&source, &tracer, i] {
                 const FpEnvironment standard;
                 nameThisThread(i);
+                isWorker = true;
                 work(source, tracer);
             });
         } catch (const std::system_error&) {
