@@ -40,7 +40,7 @@ constexpr uint16_t kMachine =
 constexpr unsigned char kClass = k64 ? ELFCLASS64 : ELFCLASS32;
 constexpr unsigned char kByteOrder =
     std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB;
-constexpr uint32_t kMaxSymbolsOfHash = 1u << 16;
+constexpr uint32_t kMaxSymbolsOfHash = 1u << 12; // in one bucket; a handful is usual
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
     throw Error(ErrorCode::InvalidValue, path + ": " + reason);

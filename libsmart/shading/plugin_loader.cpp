@@ -111,6 +111,9 @@ private:
                     refuse(path_, "has two shader classes named '" + other.name + "'");
             entries_.push_back({listed, name, {}});
         }
+        // Compilers and linkers list them in any order.
+        std::sort(entries_.begin(), entries_.end(),
+                  [](const Entry& a, const Entry& b) { return a.name < b.name; });
     }
 
     /// What the plug-in throws ends here, before anything can unload the code that the exception

@@ -16,7 +16,7 @@ namespace smart {
 /// with the file and the reason; nothing stays loaded then. From any thread.
 ShaderClassPtr loadShaderClass(std::string_view className, const std::string& path);
 
-/// Names of the classes of a shader library, in its order. Throws as loadShaderClass.
+/// Names of the classes of a shader library, in alphabetical order. Throws as loadShaderClass.
 std::vector<std::string> shaderClassNames(const std::string& path);
 
 } // namespace smart

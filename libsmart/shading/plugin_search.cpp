@@ -4,8 +4,11 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -16,13 +19,26 @@ namespace smart {
 
 namespace {
 
-/// openrt/shaders beside the library; empty if the library can not tell where it is.
-std::string installedFolder() {
+/// The file from which an address of this process was loaded; empty if that can not be told.
+std::string fileOf(const void* address) {
     Dl_info info = {};
-    if (!dladdr(reinterpret_cast<const void*>(&installedFolder), &info) || !info.dli_fname)
-        return {};
-    const std::filesystem::path name = info.dli_fname;
-    if (!name.has_parent_path()) return {}; // a program by the name it was called by
+    if (dladdr(address, &info) && info.dli_fname && info.dli_fname[0] == '/') return info.dli_fname;
+    // A program as it was called, or a library found by a relative path: relative to where this
+    // process was then.
+    const auto wanted = reinterpret_cast<uintptr_t>(address);
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);) {
+        unsigned long first = 0, end = 0;
+        if (std::sscanf(line.c_str(), "%lx-%lx", &first, &end) != 2) break;
+        const std::size_t path = line.find('/');
+        if (first <= wanted && wanted < end && path != line.npos) return line.substr(path);
+    }
+    return {};
+}
+
+/// openrt/shaders beside the file that holds this code; empty if that can not be told.
+std::string installedFolder() {
+    const std::string name = fileOf(reinterpret_cast<const void*>(&installedFolder));
     std::error_code failed;
     const std::filesystem::path file = std::filesystem::canonical(name, failed);
     return failed ? std::string() : (file.parent_path() / "openrt" / "shaders").string();
@@ -54,7 +70,6 @@ std::vector<std::string> shaderFolders() {
         if (!folder.empty()) folders.emplace_back(folder);
         rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
     }
-    // Asked once: the answer could depend on the current folder, which may change.
     static const std::string installed = installedFolder();
     if (!installed.empty()) folders.push_back(installed);
     return folders;
