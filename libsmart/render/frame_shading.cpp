@@ -73,6 +73,13 @@ FrameShading findFrameShading(const Scene& scene, const ShaderTable& shaders,
         else
             shading.complete = false;
     }
+    if (!shading.surfaces.empty()) {
+        const auto shade = shading.surfaces.front()->functions().shade;
+        const bool common = std::ranges::all_of(shading.surfaces, [&](const ShaderObject* surface) {
+            return surface->functions().shade == shade;
+        });
+        if (common) shading.commonShade = shade;
+    }
     shading.transparent = std::ranges::any_of(
         shading.surfaces, [](const ShaderObject* surface) { return mayLetLightPass(*surface); });
     for (const auto& light : lights) {

@@ -23,6 +23,8 @@ inline constexpr uint32_t kMaxLightSamples = 4096;
 struct FrameShading {
     /// The surface shaders that some triangle of the scene has, in the order of their indices.
     std::vector<const ShaderObject*> surfaces;
+    /// The function of RTshaderclass that all of them have; nullptr: they differ.
+    int (*commonShade)(const void*, RTSstate*) = nullptr;
     bool complete = true;     ///< every triangle has a surface shader
     bool transparent = false; ///< some of the surfaces may let light pass
     std::vector<LightPart> lights;

@@ -40,12 +40,16 @@ inline RayCone coneBetween(const glm::dvec3& along, const glm::dvec3 (&origin)[2
 
 /// Size in texture coordinates of the footprint at a shaded point, in the direction in which the
 /// surface lies most oblique to the ray: (width of the cone) * density / |n.d|. 0: unknown.
+inline float textureFootprint(float width, float density, const glm::vec3& n, const glm::vec3& d) {
+    const float size = width * density;
+    if (!(size > 0.0f)) return 0.0f;
+    return size / std::fabs(n.x * d.x + n.y * d.y + n.z * d.z);
+}
 inline float textureFootprint(const RTSstate& state) {
     const float* n = state.geometricNormal;
     const float* d = state.rayDirection;
-    const float size = state.footprint * state.texCoordDensity;
-    if (!(size > 0.0f)) return 0.0f;
-    return size / std::fabs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
+    return textureFootprint(state.footprint, state.texCoordDensity, {n[0], n[1], n[2]},
+                            {d[0], d[1], d[2]});
 }
 
 } // namespace smart

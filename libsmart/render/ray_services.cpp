@@ -12,14 +12,6 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Length 1; zero where there is no direction: such rays miss.
-glm::vec3 normalized(const float direction[3]) {
-    const glm::dvec3 d(direction[0], direction[1], direction[2]);
-    const double length = std::sqrt(glm::dot(d, d)); // squares of floats are in double's range
-    if (!(length > 0.0) || !std::isfinite(length)) return glm::vec3(0.0f);
-    return glm::vec3(d / length);
-}
-
 template <class Vector>
 void copy(float (&to)[3], const Vector& from) {
     for (int k = 0; k < 3; ++k) to[k] = from[k];
@@ -27,14 +19,26 @@ void copy(float (&to)[3], const Vector& from) {
 
 } // namespace
 
-RayServices::RayServices(const Frame& frame, TilePixels& counters, const RTSfunctions& functions)
+glm::vec3 unitDirection(const float direction[3]) {
+    const glm::dvec3 d(direction[0], direction[1], direction[2]);
+    const double length = std::sqrt(glm::dot(d, d)); // squares of floats are in double's range
+    if (!(length > 0.0) || !std::isfinite(length)) return glm::vec3(0.0f);
+    return glm::vec3(d / length);
+}
+
+RayServices::RayServices(const Frame& frame, TilePixels& counters, ShadingForm form,
+                         const RTSfunctions& functions, const RTSpacketfunctions& packetFunctions)
     : frame_(frame),
       shading_(frame.shading()),
       counters_(counters),
       kernels_(kernels()),
       precision_(std::size_t(frame.scene->precision())),
       recursionLimit_(std::min(frame.recursionLimit, kMaxRecursion)),
-      functions_(functions) {}
+      functions_(functions),
+      packetFunctions_(packetFunctions),
+      form_(form) {
+    recent_.levels = 0;
+}
 
 void RayServices::beginState(const Ray& ray, const PathState& path, PointState& point) {
     point.start = {this, path.sample, path.cone};
@@ -105,7 +109,7 @@ float RayServices::shareOf(float weight, float ofPoint, uint32_t depth) const {
 
 Ray RayServices::spawn(const RTSstate& state, const float origin[3], const float direction[3]) {
     RayStart& from = startOf(state);
-    const glm::vec3 towards = normalized(direction);
+    const glm::vec3 towards = unitDirection(direction);
     glm::vec3 start(origin[0], origin[1], origin[2]);
     if (from.chain && std::equal(origin, origin + 3, state.position)) {
         if (from.error < 0.0f)
@@ -194,13 +198,18 @@ int RayServices::illuminate(RTSstate* state, RTuint light, RTSlightsample* sampl
             ? functions.illuminateSample(part.light->block(), state, part.sample, part.samples,
                                          sample)
             : functions.illuminate(part.light->block(), state->position, sample);
-    if (answer < 0) from.sample->fault = true;
+    return finishLight(part, answer, *from.sample, *sample);
+}
+
+int RayServices::finishLight(const LightPart& part, int answer, PixelSample& asked,
+                             RTSlightsample& sample) {
+    if (answer < 0) asked.fault = true;
     if (answer <= 0) return 0;
-    const glm::vec3 direction = normalized(sample->direction);
+    const glm::vec3 direction = unitDirection(sample.direction);
     if (direction == glm::vec3(0.0f)) return 0; // the light is at the point
-    copy(sample->direction, direction);
+    copy(sample.direction, direction);
     if (part.samples > 1)
-        for (float& radiance : sample->radiance) radiance /= float(part.samples);
+        for (float& radiance : sample.radiance) radiance /= float(part.samples);
     return 1;
 }
 
@@ -219,7 +228,7 @@ void RayServices::environment(RTSstate* state, const float direction[3], float r
     if (state->depth <= self.recursionLimit_) {
         Ray ray{};
         copy(ray.org, state->position);
-        copy(ray.dir, normalized(direction));
+        copy(ray.dir, unitDirection(direction));
         color = self.shadeMiss(ray, onward(*state, state->weight));
     }
     for (int k = 0; k < 3; ++k) radiance[k] = color[k];

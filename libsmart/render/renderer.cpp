@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "libsmart/render/frame_queue.h"
-#include "libsmart/render/packet_tracer.h"
+#include "libsmart/render/tracers.h"
 #include "libsmart/render/worker.h"
 
 namespace smart {
@@ -35,7 +35,7 @@ public:
     }
 
     unsigned threads;
-    PacketTracer tracer;
+    FrameTracer tracer;
     FrameQueue queue{kQueueDepth};
     std::optional<ThreadTeam> team;
 };

@@ -13,57 +13,66 @@ namespace smart {
 template <class Shading = DynamicShading>
 class ShadingServices final : public RayServices {
 public:
-    ShadingServices(const Frame& frame, TilePixels& counters)
-        : RayServices(frame, counters, kFunctions) {}
+    ShadingServices(const Frame& frame, TilePixels& counters,
+                    ShadingForm form = ShadingForm::Packets)
+        : RayServices(frame, counters, form, kFunctions, kPacketFunctions) {}
 
-    /// Shades what a camera ray met; hit.triangle may be kNoHit.
-    ShadedSample shadeCameraRay(const Ray& ray, const Hit& hit, const PathState& path);
     ShadedSample traceCameraRay(const Ray& ray, const PathState& path) override;
+    /// Shades what the given rays hit, which all has the shader; nullptr is a fault of each.
+    /// `found`: what else is to be known of the hits, or nullptr.
+    void shadeGroup(const ShaderObject* surface, const RayGroup& rays, uint32_t lanes,
+                    glm::vec4 (&colors)[kPacketSize], ShadedSample* found);
 
+    /// The entries of the function tables that shade surfaces.
     static int trace(RTSstate*, const float origin[3], const float direction[3], float weight,
                      float radiance[3]);
     static int shadow(RTSstate*, const float origin[3], const float direction[3], float distance,
                       float attenuation[3]);
+    static RTuint packetTrace(RTSpacket*, RTuint lanes, const RTSvectors* origin,
+                              const RTSvectors* direction, const RTSfloats* weight, RTScolors*);
+    static RTuint packetShadow(RTSpacket*, RTuint lanes, const RTSvectors* origin,
+                               const RTSvectors* direction, const RTSfloats* distance, RTScolors*);
 
 private:
     static constexpr RTSfunctions kFunctions = {
         sizeof(RTSfunctions), trace,   traceHit,    shadow, lightCount,
         illuminate,           texture, environment, random};
+    static constexpr RTSpacketfunctions kPacketFunctions = {
+        sizeof(RTSpacketfunctions), packetTrace,   packetTraceHit,    packetShadow,
+        packetLightCount,           packetIlluminate, packetTexture, packetEnvironment,
+        packetRandom};
 
-    /// Radiance and alpha from a hit; black if the shader fails. `camera`: what else a camera
-    /// ray's sample is to know, or nullptr.
+    /// Radiance and alpha from a hit; black if the shader fails.
     glm::vec4 shadeHit(const Ray& ray, const Hit& hit, const PathState& path,
-                       ShadedSample* camera);
-    glm::vec3 attenuate(Ray ray, const RTSstate& from);
-    glm::vec3 transparency(const Ray& ray, const Hit& hit, const RTSstate& from);
+                       ShadedSample* found);
+    /// The same for points of one shader as a packet; false: that failed, and nothing counts.
+    bool shadePacket(const ShaderObject& surface, const RayGroup& rays, uint32_t lanes,
+                     glm::vec4 (&colors)[kPacketSize], ShadedSample* found);
+    /// What rays see, whatever they met.
+    void shadeRays(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
+    glm::vec3 attenuate(Ray ray, const PathState& path);
+    void attenuate(RayGroup& rays, uint32_t lanes, glm::vec3 (&products)[kPacketSize]);
+    glm::vec3 transparency(const Ray& ray, const Hit& hit, const PathState& path);
 };
-
-template <class Shading>
-ShadedSample ShadingServices<Shading>::shadeCameraRay(const Ray& ray, const Hit& hit,
-                                                      const PathState& path) {
-    ShadedSample sample;
-    sample.color =
-        hit.triangle == kNoHit ? shadeMiss(ray, path) : shadeHit(ray, hit, path, &sample);
-    if (path.sample->fault || !isFinite(sample.color)) {
-        sample.bad = true;
-        sample.color = {0.0f, 0.0f, 0.0f, 1.0f};
-    }
-    return sample;
-}
 
 template <class Shading>
 ShadedSample ShadingServices<Shading>::traceCameraRay(const Ray& ray, const PathState& path) {
     ++counters_.primaryRays;
-    return shadeCameraRay(ray, findHit(ray), path);
+    const Hit hit = findHit(ray);
+    ShadedSample sample;
+    sample.color =
+        hit.triangle == kNoHit ? shadeMiss(ray, path) : shadeHit(ray, hit, path, &sample);
+    sample.judge(*path.sample);
+    return sample;
 }
 
 template <class Shading>
 glm::vec4 ShadingServices<Shading>::shadeHit(const Ray& ray, const Hit& hit, const PathState& path,
-                                             ShadedSample* camera) {
+                                             ShadedSample* found) {
     PointState point;
     atHit(ray, hit, path, point);
     RTSstate& state = point.state;
-    if (camera) camera->describe(hit, state);
+    if (found) found->describe(hit, state);
     const ShaderObject* shader = findSurface(point.chain);
     if (shader) fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, state);
     if (!shader || Shading::template shade<ShadingServices>(*shader, state) != 0) {
@@ -75,14 +84,14 @@ glm::vec4 ShadingServices<Shading>::shadeHit(const Ray& ray, const Hit& hit, con
 
 // What transparent surfaces leave of the light: the nearest hits one after the other.
 template <class Shading>
-glm::vec3 ShadingServices<Shading>::attenuate(Ray ray, const RTSstate& from) {
+glm::vec3 ShadingServices<Shading>::attenuate(Ray ray, const PathState& path) {
     glm::vec3 product(1.0f);
     Crossings crossings;
     for (int i = 0; i < kMaxTransparentHits; ++i) {
         ++counters_.shadowRays;
         const Hit hit = findHit(ray);
         if (hit.triangle == kNoHit) return product;
-        if (crossings.add(hit)) product *= transparency(ray, hit, from);
+        if (crossings.add(hit)) product *= transparency(ray, hit, path);
         if (product == glm::vec3(0.0f)) return product;
         ray.tNear = crossings.beyond(hit);
     }
@@ -91,12 +100,12 @@ glm::vec3 ShadingServices<Shading>::attenuate(Ray ray, const RTSstate& from) {
 
 template <class Shading>
 glm::vec3 ShadingServices<Shading>::transparency(const Ray& ray, const Hit& hit,
-                                                 const RTSstate& from) {
+                                                 const PathState& path) {
     const HitChain chain = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
     const ShaderObject* shader = findSurface(chain);
     if (!shader || !Shading::answersTransparency(*shader)) return glm::vec3(0.0f);
     PointState point;
-    atHit(ray, hit, onward(from, from.weight), point);
+    atHit(ray, hit, path, point);
     point.start.mayTrace = false;
     fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, point.state);
     float rgb[3] = {0.0f, 0.0f, 0.0f};
@@ -138,7 +147,7 @@ int ShadingServices<Shading>::shadow(RTSstate* state, const float origin[3],
     Ray ray = spawn(*state, origin, direction);
     ray.tFar = distance * kBeforeLight;
     if (self.shading_.transparent) {
-        const glm::vec3 left = self.attenuate(ray, *state);
+        const glm::vec3 left = self.attenuate(ray, onward(*state, state->weight));
         for (int k = 0; k < 3; ++k) attenuation[k] = left[k];
         return 1;
     }
@@ -146,6 +155,12 @@ int ShadingServices<Shading>::shadow(RTSstate* state, const float origin[3],
     if (self.isOccluded(ray)) std::fill_n(attenuation, 3, 0.0f);
     return 1;
 }
+
+} // namespace smart
+
+#include "libsmart/render/packet_shading.h"
+
+namespace smart {
 
 extern template class ShadingServices<DynamicShading>;
 
