@@ -119,6 +119,14 @@ const std::byte* findBlock(const std::vector<uint32_t>& offsets, const std::vect
     return data.data() + offsets[index];
 }
 
+/// Weights of the corners. u and v were rounded each by itself: together they may exceed 1 by a
+/// little, and name a point beside the triangle, which need not be inside a closed body any more.
+glm::dvec3 weightsOf(float u, float v) {
+    const double sum = double(u) + double(v);
+    if (sum > 1.0) return {0.0, u / sum, v / sum};
+    return {1.0 - sum, u, v};
+}
+
 uint32_t ownShader(const HitChain& chain) {
     const ShadingData& shading = chain.model->shading;
     if (shading.shaders.empty()) return 0;
@@ -144,7 +152,7 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
     store(state.rayDirection, direction);
     state.rayDistance = float(t * length);
 
-    const glm::dvec3 weights(1.0 - u - v, u, v);
+    const glm::dvec3 weights = weightsOf(u, v);
     store(state.barycentric, weights);
     store(state.position, weights[0] * chain.worldVertex(0) + weights[1] * chain.worldVertex(1) +
                               weights[2] * chain.worldVertex(2));
