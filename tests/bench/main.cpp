@@ -12,6 +12,7 @@
 #include "libsmart/kernel/kernels.h"
 #include "tests/bench/openrt_engine.h"
 #include "tests/bench/report.h"
+#include "tests/bench/shaded_frames.h"
 #ifdef OPENRT_BENCH_EMBREE
 #include "tests/bench/embree_engine.h"
 #endif
@@ -117,6 +118,18 @@ void runRays(const Options& options, const std::vector<Triangle>& triangles, Rep
     }
 }
 
+int runFrames(const Options& options) {
+    if (!options.isa.empty() && !selectKernels(options.isa.c_str())) {
+        throw std::runtime_error("--isa " + options.isa + ": not in this library or machine");
+    }
+    const ShadingReport report =
+        measureFrames(readTriangles(options.scene), viewOf(options), options.size,
+                      options.threads, options.repeat, showProgress);
+    showProgress("");
+    std::cout << report;
+    return report.allSame() ? 0 : kExitRefused;
+}
+
 int run(const Options& options, bool rays) {
     if (!options.isa.empty() && !selectKernels(options.isa.c_str())) {
         throw std::runtime_error("--isa " + options.isa + ": not in this library or machine");
@@ -151,12 +164,28 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     CLI::App* const rays = app.add_subcommand("rays", "primary and point-light shadow rays");
     CLI::App* const build = app.add_subcommand("build", "build seconds and memory");
-    for (CLI::App* command : {rays, build}) {
+    CLI::App* const frame =
+        app.add_subcommand("frame", "frames with a point light: packets, points, fixed shaders");
+    for (CLI::App* command : {rays, build, frame}) {
         command->add_option("--scene", options.scene, "a .tri file, or generated:N")->required();
         command->add_option("--threads", options.threads, "measured beside one thread")
             ->check(CLI::Range(1, 1024));
         command->add_option("--repeat", options.repeat, "measurements of each kind")
             ->check(CLI::Range(1, 1000));
+    }
+    for (CLI::App* command : {rays, frame}) {
+        command->add_option("--camera", options.camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
+            ->delimiter(',')
+            ->expected(10);
+        command->add_option("--light", options.light, "x,y,z")->delimiter(',')->expected(3);
+        command->add_option("--cameras", options.cameras,
+                            "file of views: name and 13 numbers a line");
+        command->add_option("--name", options.name, "which line of --cameras");
+        command->add_option("--size", options.size, "width and height in pixels")
+            ->check(CLI::Range(4, 16384));
+        command->add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
+    }
+    for (CLI::App* command : {rays, build}) {
         command->add_option("--json", options.json, "also write the figures to this file");
         command->add_option("--peers", options.peers, "embree, embree-robust")
             ->delimiter(',')
@@ -168,21 +197,13 @@ int main(int argc, char** argv) {
             });
 #endif
     }
-    rays->add_option("--camera", options.camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
-        ->delimiter(',')
-        ->expected(10);
-    rays->add_option("--light", options.light, "x,y,z")->delimiter(',')->expected(3);
-    rays->add_option("--cameras", options.cameras, "file of views: name and 13 numbers a line");
-    rays->add_option("--name", options.name, "which line of --cameras");
-    rays->add_option("--size", options.size, "width and height in pixels")
-        ->check(CLI::Range(4, 16384));
-    rays->add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
     rays->add_option("--precision", options.precision)
         ->check(CLI::IsMember({"watertight", "fast"}));
     rays->add_flag("--plant-error", options.plantError,
                    "name wrong triangles now and then, to prove the comparison");
     CLI11_PARSE(app, argc, argv);
     try {
+        if (frame->parsed()) return smart::bench::runFrames(options);
         return smart::bench::run(options, rays->parsed());
     } catch (const std::exception& error) {
         std::cerr << "openrt-bench: " << error.what() << '\n';
