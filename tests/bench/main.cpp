@@ -12,6 +12,7 @@
 #include "libsmart/kernel/kernels.h"
 #include "tests/bench/openrt_engine.h"
 #include "tests/bench/report.h"
+#include "tests/bench/reshade.h"
 #include "tests/bench/shaded_frames.h"
 #ifdef OPENRT_BENCH_EMBREE
 #include "tests/bench/embree_engine.h"
@@ -26,7 +27,7 @@ struct Options {
     std::string scene, cameras, name, isa, precision = "watertight", json;
     std::vector<double> camera, light;
     std::vector<std::string> peers;
-    uint32_t size = 1024;
+    uint32_t size = 1024, instances = 1000;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency()), repeat = 5;
     bool plantError = false;
 
@@ -155,6 +156,12 @@ int run(const Options& options, bool rays) {
     return report.anyRefused() ? kExitRefused : 0;
 }
 
+int runReshade(const Options& options) {
+    std::cout << measureReshading(readTriangles(options.scene), options.instances,
+                                  options.threads);
+    return 0;
+}
+
 } // namespace
 } // namespace smart::bench
 
@@ -201,8 +208,14 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"watertight", "fast"}));
     rays->add_flag("--plant-error", options.plantError,
                    "name wrong triangles now and then, to prove the comparison");
+    CLI::App* const reshade =
+        app.add_subcommand("reshade", "memory of instances with shaders of their own");
+    reshade->add_option("--scene", options.scene, "a .tri file, or generated:N")->required();
+    reshade->add_option("--instances", options.instances)->check(CLI::Range(1, 10'000'000));
+    reshade->add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
     CLI11_PARSE(app, argc, argv);
     try {
+        if (reshade->parsed()) return smart::bench::runReshade(options);
         if (frame->parsed()) return smart::bench::runFrames(options);
         return smart::bench::run(options, rays->parsed());
     } catch (const std::exception& error) {
