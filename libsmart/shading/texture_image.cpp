@@ -28,12 +28,20 @@ double decoded(double encoded) {
 struct ByteTables {
     std::array<float, 256> linear, srgb;
     std::array<double, 255> srgbMiddles; ///< between what codes i and i + 1 stand for, encoded
+    /// The code of i / kSteps, or less: where to begin to search for that of a value above.
+    static constexpr std::size_t kSteps = 4096;
+    std::array<unsigned char, kSteps + 1> srgbFrom;
     ByteTables() {
         for (std::size_t i = 0; i < 256; ++i) {
             linear[i] = float(double(i) / 255.0);
             srgb[i] = float(decoded(double(i) / 255.0));
         }
         for (std::size_t i = 0; i < 255; ++i) srgbMiddles[i] = decoded((double(i) + 0.5) / 255.0);
+        std::size_t code = 0;
+        for (std::size_t i = 0; i <= kSteps; ++i) {
+            while (code < 255 && srgbMiddles[code] <= double(i) / kSteps) ++code;
+            srgbFrom[i] = (unsigned char)(code);
+        }
     }
 };
 
@@ -116,9 +124,11 @@ uint32_t codeOf(double value, double largest) {
 
 /// The code whose value lies nearest, both encoded.
 unsigned char srgbByteOf(double linear) {
-    const auto& middles = byteTables().srgbMiddles;
-    return (unsigned char)(std::upper_bound(middles.begin(), middles.end(), linear) -
-                           middles.begin());
+    const ByteTables& tables = byteTables();
+    const double value = std::clamp(linear, 0.0, 1.0);
+    std::size_t code = tables.srgbFrom[std::size_t(value * double(ByteTables::kSteps))];
+    while (code < 255 && tables.srgbMiddles[code] <= value) ++code;
+    return (unsigned char)(code);
 }
 
 double encoded(double linear) {
