@@ -8,12 +8,13 @@ namespace smart::builtin {
 
 using namespace openrt;
 
-/// What happens to a ray at the border. `eta`: index of refraction on the ray's side divided by
-/// that behind; `cosine`: of the angle between the ray and the normal on its side, 0 to 1.
+/// What happens to a ray at the border, by Fresnel's equations. `eta`: index of refraction on the
+/// ray's side divided by that behind; `cosine`: of the angle between the ray and the normal on its
+/// side, 0 to 1.
 template <class Float>
 struct Fresnel {
-    Float reflectance;        ///< share of unpolarised light that is reflected: Fresnel's equations
-    Float transmittedCosine;  ///< of the angle behind the border, by Snell's law; 0: total reflection
+    Float reflectance;       ///< share of unpolarised light that is reflected; 1: total reflection
+    Float transmittedCosine; ///< of the angle behind the border, by Snell's law; 0: none
 
     Fresnel(const Float& eta, const Float& cosine) {
         const Float squared = 1.0f - eta * eta * (1.0f - cosine * cosine);

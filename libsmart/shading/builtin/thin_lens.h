@@ -8,8 +8,8 @@ namespace smart::builtin {
 /// The pinhole camera with a lens in the place of the hole: a disk of radius `aperture` around
 /// `origin` in the plane of `horizontal` and `vertical`. What lies in the plane at
 /// `focusDistance`, measured along the lens's axis, is sharp; a point at distance z becomes a
-/// disk of radius aperture * |z - focusDistance| / z in units of length at z. Each ray starts at a
-/// random point of the lens: take many samples. Aperture 0 is the pinhole camera to the bit.
+/// disk of radius aperture * |z - focusDistance| / z in that plane. Each ray starts at a random
+/// point of the lens: take many samples. Aperture 0 is the pinhole camera to the bit.
 /// Potmesil and Chakravarty, "A lens and aperture camera model for synthetic image generation",
 /// 1981; Cook et al., "Distributed ray tracing", 1984.
 struct ThinLens {

@@ -160,10 +160,8 @@ Mat4 orthographic(double l, double r, double b, double t, double n, double f) {
 /// A turn about y after one about x, then a translation: world to eye.
 Mat4 view() {
     Mat4 m;
-    const double a = 0.7, b = -0.4;
-    const double rows[3][3] = {{std::cos(a), std::sin(a) * std::sin(b), std::sin(a) * std::cos(b)},
-                               {0, std::cos(b), -std::sin(b)},
-                               {-std::sin(a), std::cos(a) * std::sin(b), std::cos(a) * std::cos(b)}};
+    const double ca = std::cos(0.7), sa = std::sin(0.7), cb = std::cos(-0.4), sb = std::sin(-0.4);
+    const double rows[3][3] = {{ca, sa * sb, sa * cb}, {0, cb, -sb}, {-sa, ca * sb, ca * cb}};
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) m.m[4 * column + row] = float(rows[row][column]);
     m.m[12] = 1;
