@@ -9,11 +9,14 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <random>
 #include <string>
 
 #include "libsmart/geometry/model_builder.h"
 #include "libsmart/shading/texture.h"
+#include "openrt/shader.hpp"
 #include "tests/libsmart/render/picture_scene.h"
+#include "tests/libsmart/shading/fake_tracer.h"
 
 namespace smart::test {
 namespace {
@@ -185,6 +188,28 @@ TEST(RayConeTest, FootprintsOnSurfaces) {
     EXPECT_EQ(textureFootprint(state), std::numeric_limits<float>::infinity());
     state.footprint = std::nanf("");
     EXPECT_EQ(textureFootprint(state), 0);
+}
+
+TEST(RayConeTest, PacketsLookUpTheSameBits) {
+    std::mt19937 random(31);
+    std::vector<std::byte> texels(61 * 37 * 4);
+    for (std::byte& b : texels) b = std::byte(random() % 256);
+    const auto image = std::make_shared<const TextureImage>(61, 37, 4, TexelType::Byte, true,
+                                                            std::move(texels));
+    const auto texture = std::make_shared<const Texture>(
+        std::make_shared<const TextureLevels>(std::vector<TextureImagePtr>{image},
+                                              levelCount(61, 37)),
+        TextureOptions{});
+    const ModelPtr floor =
+        texturedRectangle({0, -1, 0}, {200, 0, 0}, {0, 0, -200}, 100);
+    Picture points = pictureOf(floor, texture), packets = pictureOf(floor, texture);
+    packets.frame->shaders = std::make_shared<const ShaderTable>(ShaderTable{
+        MadeShader("TextureShader").set("texture", openrt::TextureId{1}).make()});
+    ASSERT_NE((*packets.frame->shaders)[0]->functions().shadePacket, nullptr);
+    renderHere(points);
+    renderHere(packets);
+    EXPECT_EQ(points.pixels, packets.pixels);
+    EXPECT_GT(texture->bytes(), image->bytes()) << "mipmaps were needed";
 }
 
 // A checker floor to the horizon: error of one sample a pixel against very many.
