@@ -65,7 +65,7 @@ private:
         TextureParameters parameters;
         std::map<uint32_t, Level> levels; ///< those that were given
         std::optional<uint32_t> madeFrom; ///< levels after this one, where not given, are made
-        std::shared_ptr<const TextureLevels> images; ///< as in `texture`; nullptr: something changed
+        std::shared_ptr<const TextureLevels> images; ///< of `texture`; nullptr: they changed
         uint32_t imagesStart = 0;                    ///< number of the first of them
         std::shared_ptr<const Texture> texture;
         bool stale = false; ///< `texture` is not what the rest says

@@ -183,8 +183,9 @@ static const float *coarsest(RTuint texture) {
 
 static void mipmaps(void) {
     static const RTubyte red[16 * 4] = {0};
-    static const RTubyte blue[4] = {0, 0, 255, 255}, green[4 * 4] = {0, 255, 0, 255, 0, 255, 0, 255,
-                                                                     0, 255, 0, 255, 0, 255, 0, 255};
+    static const RTubyte blue[4] = {0, 0, 255, 255};
+    static const RTubyte green[4 * 4] = {0, 255, 0, 255, 0, 255, 0, 255,
+                                         0, 255, 0, 255, 0, 255, 0, 255};
     RTubyte base[16 * 4];
     RTint value = -1;
     RTfloat number = -1;

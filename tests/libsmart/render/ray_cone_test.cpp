@@ -125,7 +125,8 @@ TEST(RayConeTest, CameraShadersAndFewerOrMoreSamples) {
 TEST(RayConeTest, ParallelRaysSeeAsMuchAtAnyDistance) {
     for (const float distance : {1.0f, 50.0f}) {
         Picture picture =
-            pictureOf(texturedRectangle({0, 0, -distance}, {3, 0, 0}, {0, 3, 0}, 1), levelTexture());
+            pictureOf(texturedRectangle({0, 0, -distance}, {3, 0, 0}, {0, 3, 0}, 1),
+                      levelTexture());
         picture.frame->matrixCamera = cameraOf(glm::ortho(-3.0, 3.0, -3.0, 3.0, -100.0, 100.0));
         renderHere(picture);
         for (const uint32_t x : {2u, 16u, 30u})

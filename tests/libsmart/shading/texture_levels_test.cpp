@@ -56,7 +56,8 @@ double coveredMean(const TextureImage& image, const std::vector<float>& values, 
     for (uint32_t j = 0; j < image.height(); ++j)
         for (uint32_t i = 0; i < image.width(); ++i)
             sum += shared(x, width, i, image.width()) * shared(y, height, j, image.height()) *
-                   double(values[(std::size_t(j) * image.width() + i) * image.channels() + channel]);
+                   double(values[(std::size_t(j) * image.width() + i) * image.channels() +
+                                 channel]);
     return sum * width * height;
 }
 
@@ -79,7 +80,8 @@ TEST(TextureLevelsTest, EachTexelIsTheMeanOfWhatItCovers) {
                 for (uint32_t channels = 1; channels <= 4; ++channels) {
                     const TextureImage image =
                         made(width, height, channels, type, srgb,
-                             randomValues(std::size_t(width) * height * channels, width + channels));
+                             randomValues(std::size_t(width) * height * channels,
+                                          width + channels));
                     const std::vector<float> values = valuesOf(image);
                     const TextureImage next = reducedImage(image);
                     ASSERT_EQ(next.width(), nextLevelSide(width));
