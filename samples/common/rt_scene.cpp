@@ -224,16 +224,29 @@ void RtScene::addSky() {
     set("scale", exposure_);
 }
 
-void RtScene::describeFrame(const View& view, float aspect) const {
+void RtScene::describeFrame(const View& view, float aspect, const FrameShaders& shaders) const {
     rtMatrixMode(RT_MODELVIEW);
     for (const Instance& instance : instances_) {
         rtLoadMatrixd(instance.matrix);
-        rtInstantiateObject(instance.object);
+        if (shaders.surface) {
+            rtInstantiateObjectShader(instance.object, shaders.surface);
+        } else {
+            rtInstantiateObject(instance.object);
+        }
     }
     rtLoadIdentity();
     for (RTuint light : lights_) rtUseLight(light);
-    rtUseEnvironmentShader(sky_);
+    for (RTuint light : shaders.lights) rtUseLight(light);
+    rtUseEnvironmentShader(shaders.environment ? shaders.environment : sky_);
+    if (shaders.renderingObject) rtUseRenderingObject(shaders.renderingObject);
+    if (shaders.camera) {
+        rtUseCamera(shaders.camera);
+    } else {
+        useCamera(view, aspect);
+    }
+}
 
+void RtScene::useCamera(const View& view, float aspect) const {
     const glm::vec3 forward = glm::normalize(view.target - view.eye);
     // Looking along `up` leaves the horizon open; any will do.
     glm::vec3 side = glm::cross(forward, view.up);

@@ -32,11 +32,12 @@ static float dot(const float a[3], const float b[3]) {
 static int shade(const void *shader, RTSstate *state) {
     const Toon *toon = (const Toon *)shader;
     const float *normal = rtsShadingNormal(state);
-    const float side = rtsFrontFace(state) ? 1.0f : -1.0f; /* normals may point away from the ray */
+    const float facing = dot(normal, rtsRayDirection(state));
+    const float side = facing < 0.0f ? 1.0f : -1.0f; /* normals may point away from the ray */
     float brightness = 0.0f;
     RTuint i;
 
-    if (fabsf(dot(normal, rtsRayDirection(state))) < toon->outline) {
+    if (fabsf(facing) < toon->outline) {
         rtsResultColor(state, 0.0f, 0.0f, 0.0f);
         return 0;
     }
