@@ -19,7 +19,6 @@ using openrt::Vec4;
 using test::FakeTracer;
 using test::MadeShader;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 RTScameraray rayOf(const ShaderObject& camera, float x, float y, FakeTracer* tracer = nullptr) {
