@@ -39,6 +39,11 @@ CameraRays::CameraRays(const Frame& frame)
         std::max({std::abs(inverse[0].w), std::abs(inverse[1].w), std::abs(inverse[3].w)});
     eye_ = glm::dvec3(inverse[2]) / w + 0.0; // + 0: no negative zero
     hasEye_ = std::abs(w) > 0x1p-45 * scale && isFinite(glm::dvec3(glm::vec3(eye_)));
+    glm::dvec3 turn[2]; // change of motion (see matrixCone) for a pixel to the right, and up
+    for (int k = 0; k < 2; ++k)
+        turn[k] = 2.0 / (k == 0 ? frame.viewport.width : frame.viewport.height) *
+                  (inverse[k].w * glm::dvec3(inverse[2]) - w * glm::dvec3(inverse[k]));
+    turning_ = glm::cross(turn[0], turn[1]);
 }
 
 bool CameraRays::covers(uint32_t x, uint32_t y) const {
@@ -95,7 +100,8 @@ RayCone CameraRays::cone(double x, double y, const Ray& ray, const CameraSample&
     return frame_.camera ? shaderCone(x, y, ray, sample) : matrixCone(x, y);
 }
 
-// The derivatives of fromMatrix.
+// The derivatives of fromMatrix: a pixel's step to the side turns the ray by (w of the step) *
+// motion's change / length, of which what points along the ray drops out.
 RayCone CameraRays::matrixCone(double x, double y) const {
     const Viewport& viewport = frame_.viewport;
     x = (x - viewport.x) / viewport.width;
@@ -105,20 +111,17 @@ RayCone CameraRays::matrixCone(double x, double y) const {
     const glm::dvec4 near =
         inverse[3] - step + (2.0 * x - 1.0) * inverse[0] + (2.0 * y - 1.0) * inverse[1];
     const glm::dvec3 motion = near.w * glm::dvec3(step) - step.w * glm::dvec3(near);
-    const double length = glm::length(motion);
-    const glm::dvec3 along = motion / length;
-    const double pixel[2] = {2.0 / viewport.width, 2.0 / viewport.height};
-    glm::dvec3 origin[2], direction[2];
-    for (int k = 0; k < 2; ++k) {
-        const glm::dvec3 towards(inverse[k]);
-        origin[k] = hasEye_ ? glm::dvec3(0.0)
-                            : pixel[k] *
-                                  (towards - inverse[k].w / near.w * glm::dvec3(near)) / near.w;
-        // What points along the ray drops out of coneBetween.
-        direction[k] =
-            pixel[k] * (inverse[k].w * glm::dvec3(step) - step.w * towards) / length;
-    }
-    return coneBetween(along, origin, direction, sampleSide_);
+    const double squared = glm::dot(motion, motion), length = std::sqrt(squared);
+    const float spread =
+        coneSide(std::fabs(glm::dot(turning_, motion)) / (squared * length), sampleSide_);
+    if (hasEye_) return {0.0f, spread};
+    glm::dvec3 origin[2];
+    for (int k = 0; k < 2; ++k)
+        origin[k] =
+            (glm::dvec3(inverse[k]) - inverse[k].w / near.w * glm::dvec3(near)) / near.w;
+    const double area = std::fabs(glm::dot(glm::cross(origin[0], origin[1]), motion)) / length *
+                        (2.0 / viewport.width) * (2.0 / viewport.height);
+    return {coneSide(area, sampleSide_), spread};
 }
 
 RayCone CameraRays::shaderCone(double x, double y, const Ray& ray,

@@ -51,7 +51,7 @@ private:
     RayCone shaderCone(double x, double y, const Ray& ray, const CameraSample& sample) const;
 
     const Frame& frame_;
-    glm::dvec3 eye_{0.0};
+    glm::dvec3 eye_{0.0}, turning_{0.0};
     bool hasEye_ = false;
     double sampleSide_; ///< share of a pixel's side that a sample stands for
 };

@@ -25,15 +25,19 @@ struct RayCone {
     RayCone after(float distance) const { return {width + spread * distance, spread}; }
 };
 
+/// Side of a square of the given area, times `scale`; 0 if that is no number.
+inline float coneSide(double area, double scale) {
+    const float length = float(scale * std::sqrt(area));
+    return std::isfinite(length) ? length : 0.0f;
+}
+
 /// The cone that covers as much as lies between a camera ray, of direction length 1, and its
 /// neighbours: `origin` and `direction` are what those differ by from it, for a step of one pixel
 /// to the right and one up. `scale`: share of a pixel's side that a sample stands for.
 inline RayCone coneBetween(const glm::dvec3& along, const glm::dvec3 (&origin)[2],
                            const glm::dvec3 (&direction)[2], double scale) {
     const auto side = [&](const glm::dvec3& right, const glm::dvec3& up) {
-        const double area = std::fabs(glm::dot(glm::cross(right, up), along));
-        const float length = float(scale * std::sqrt(area));
-        return std::isfinite(length) ? length : 0.0f;
+        return coneSide(std::fabs(glm::dot(glm::cross(right, up), along)), scale);
     };
     return {side(origin[0], origin[1]), side(direction[0], direction[1])};
 }

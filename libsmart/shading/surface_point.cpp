@@ -158,8 +158,8 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
                               weights[2] * chain.worldVertex(2));
 
     // Underflow may take the normal of a triangle that is hit: then it faces the ray.
-    glm::dvec3 geometric = chain.worldNormal();
-    const double doubleArea = std::sqrt(glm::dot(geometric, geometric));
+    const glm::dvec3 areaNormal = chain.worldNormal();
+    glm::dvec3 geometric = areaNormal;
     if (!normalizeSafely(geometric)) geometric = -direction;
     store(state.geometricNormal, geometric);
     state.frontFace = glm::dot(direction, geometric) > 0 ? 0u : 1u;
@@ -175,7 +175,10 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
     corners.get(shading.texCoords, shading.firstTexCoord, &InheritedAttributes::ownTexCoord,
                 &InheritedAttributes::texCoord, values);
     interpolate(values, weights, state.texCoord);
-    state.texCoordDensity = shading.texCoords.empty() ? 0.0f : densityOf(values, doubleArea);
+    state.texCoordDensity =
+        shading.texCoords.empty()
+            ? 0.0f
+            : densityOf(values, std::sqrt(glm::dot(areaNormal, areaNormal)));
     corners.get(shading.colors, shading.firstColor, &InheritedAttributes::ownColor,
                 &InheritedAttributes::color, values);
     interpolate(values, weights, state.color);

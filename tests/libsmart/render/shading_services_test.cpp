@@ -261,6 +261,30 @@ TEST(ShadingServices, HitsWithoutShading) {
     EXPECT_EQ(stage.counts.secondaryRays, 2u);
 }
 
+TEST(ShadingServices, StoppedPointsSendNoRays) {
+    Stage stage([](RTSstate* s) {
+        const float up[3] = {0, 0, 1};
+        float before[3], after[3], left[3];
+        RTShitinfo hit;
+        EXPECT_EQ(rtsTraceRay(s, s->position, up, 1.0f, before), 1);
+        EXPECT_EQ(before[0], 7.0f);
+        rtsStopRayRecursion(s);
+        EXPECT_EQ(rtsTraceRay(s, s->position, up, 1.0f, after), 0);
+        EXPECT_EQ(after[0], 0.0f);
+        EXPECT_EQ(rtsTraceHit(s, s->position, up, &hit), 0);
+        EXPECT_EQ(hit.distance, kInf);
+        EXPECT_EQ(rtsShadow(s, s->position, up, 1.0f, left), 0);
+        EXPECT_EQ(left[0], 0.0f);
+        return 0;
+    });
+    stage.add(rectangle(-1, -1, 1, 1, 3), makeSurface([](RTSstate* s) {
+                  EXPECT_EQ(s->flags, 0u);
+                  return constant(7, 7, 7)(s);
+              }));
+    EXPECT_FALSE(stage.look({0.5f, 0.25f, 2.0f}).bad);
+    EXPECT_EQ(stage.counts.secondaryRays, 1u);
+}
+
 TEST(ShadingServices, LightsAnswerWithAUnitDirectionOrNotAtAll) {
     RTSlightsample samples[5];
     int answers[5];
