@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -68,26 +70,32 @@ struct Setter {
     std::function<void(RTuint)> call;
 };
 
+bool fits(const Setter& setter, const char* name) {
+    std::istringstream names(setter.fits);
+    return std::find(std::istream_iterator<std::string>(names), {}, name) !=
+           std::istream_iterator<std::string>();
+}
+
 const RTfloat kNumbers[16] = {31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46};
 
 const std::vector<Setter> kSetters = {
-    {" flag i1 ", [](RTuint h) { rtParameter1i(h, 31); }},
-    {" i2 ", [](RTuint h) { rtParameter2i(h, 31, 32); }},
-    {" i3 ", [](RTuint h) { rtParameter3i(h, 31, 32, 33); }},
-    {" f1 ", [](RTuint h) { rtParameter1f(h, 31); }},
-    {" f1 ", [](RTuint h) { rtParameter1fv(h, kNumbers); }},
-    {" f2 ", [](RTuint h) { rtParameter2f(h, 31, 32); }},
-    {" f2 ", [](RTuint h) { rtParameter2fv(h, kNumbers); }},
-    {" f3 ", [](RTuint h) { rtParameter3f(h, 31, 32, 33); }},
-    {" f3 ", [](RTuint h) { rtParameter3fv(h, kNumbers); }},
-    {" f4 ", [](RTuint h) { rtParameter4f(h, 31, 32, 33, 34); }},
-    {" f4 ", [](RTuint h) { rtParameter4fv(h, kNumbers); }},
-    {" f16 ", [](RTuint h) { rtParameter16fv(h, kNumbers); }},
-    {" raw ", [](RTuint h) { rtParameterRaw(h, kNumbers, 5); }},
-    {" ", [](RTuint h) { rtParameterRaw(h, kNumbers, 4); }},
-    {" ", [](RTuint h) { rtParameterRaw(h, kNumbers, 64); }},
-    {" ", [](RTuint h) { rtParameterRaw(h, kNumbers, 0); }},
-    {" text ", [](RTuint h) { rtParameterString(h, "31"); }},
+    {"flag i1", [](RTuint h) { rtParameter1i(h, 31); }},
+    {"i2", [](RTuint h) { rtParameter2i(h, 31, 32); }},
+    {"i3", [](RTuint h) { rtParameter3i(h, 31, 32, 33); }},
+    {"f1", [](RTuint h) { rtParameter1f(h, 31); }},
+    {"f1", [](RTuint h) { rtParameter1fv(h, kNumbers); }},
+    {"f2", [](RTuint h) { rtParameter2f(h, 31, 32); }},
+    {"f2", [](RTuint h) { rtParameter2fv(h, kNumbers); }},
+    {"f3", [](RTuint h) { rtParameter3f(h, 31, 32, 33); }},
+    {"f3", [](RTuint h) { rtParameter3fv(h, kNumbers); }},
+    {"f4", [](RTuint h) { rtParameter4f(h, 31, 32, 33, 34); }},
+    {"f4", [](RTuint h) { rtParameter4fv(h, kNumbers); }},
+    {"f16", [](RTuint h) { rtParameter16fv(h, kNumbers); }},
+    {"raw", [](RTuint h) { rtParameterRaw(h, kNumbers, 5); }},
+    {"", [](RTuint h) { rtParameterRaw(h, kNumbers, 4); }},
+    {"", [](RTuint h) { rtParameterRaw(h, kNumbers, 64); }},
+    {"", [](RTuint h) { rtParameterRaw(h, kNumbers, 0); }},
+    {"text", [](RTuint h) { rtParameterString(h, "31"); }},
 };
 
 TEST_F(Parameters, OnlyTheDeclaredTypeIsAccepted) {
@@ -106,7 +114,7 @@ TEST_F(Parameters, OnlyTheDeclaredTypeIsAccepted) {
             rtBindShader(shader);
             const float before = shown();
             kSetters[i].call(handle(name));
-            if (std::strstr(kSetters[i].fits, (" " + std::string(name) + " ").c_str())) {
+            if (fits(kSetters[i], name)) {
                 ++fitting;
                 EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
             } else {
