@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include "compat/openrt/frame_callback.h"
@@ -9,6 +10,7 @@
 #include "compat/openrt/tokens.h"
 #include "compat/recorder/frame_table.h"
 #include "libsmart/kernel/kernels.h"
+#include "libsmart/shading/plugin_search.h"
 #include "openrt/rt_core.h"
 #include "openrt/version.h"
 
@@ -38,6 +40,25 @@ private:
     ErrorFunction function_;
     void* user_;
 };
+
+/// Those that library and machine have, best first.
+const char* instructionSets() {
+    static const std::string names = [] {
+        std::string all;
+        for (const char* name : {"avx512", "avx2", "sse4", "neon", "generic"})
+            if (findKernels(name)) all += (all.empty() ? "" : " ") + std::string(name);
+        return all;
+    }();
+    return names.c_str();
+}
+
+const char* shaderFoldersText() {
+    thread_local std::string text;
+    std::string all;
+    for (const std::string& folder : shaderFolders()) all += (all.empty() ? "" : ":") + folder;
+    text = std::move(all);
+    return text.c_str();
+}
 
 } // namespace
 
@@ -128,6 +149,8 @@ RTAPI const RTubyte* RTAPIENTRY rtGetString(RTenum name) {
         case RT_RENDERER: text = "OpenRT on libsmart"; break;
         case RT_EXTENSIONS: text = ""; break;
         case RT_ISA: text = kernels().name; break;
+        case RT_ISA_NAMES: text = instructionSets(); break;
+        case RT_SHADER_FOLDERS: text = shaderFoldersText(); break;
         default: throwError(ErrorCode::InvalidEnum, "no such text");
         }
         return reinterpret_cast<const RTubyte*>(text);

@@ -101,6 +101,8 @@
 #define RT_SHADER_BINDING 0x7F046       /* rtGetIntegerv: the bound shader */
 #define RT_SHADER_CLASS_BINDING 0x7F047 /* rtGetIntegerv: the bound shader class */
 #define RT_OBJECT_SHADER_COUNT 0x7F048  /* rtGetObjectiv: how many shaders an object uses */
+#define RT_ISA_NAMES 0x7F049      /* rtGetString: the instruction sets that can be used */
+#define RT_SHADER_FOLDERS 0x7F04A /* rtGetString: where shader libraries are looked for */
 
 /* Frames (rtFrameStatus, rtSetFrameCallback) */
 #define RT_QUEUED 0x7F050         /* no tile of the frame has been started */

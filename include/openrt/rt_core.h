@@ -69,8 +69,10 @@ RTAPI void RTAPIENTRY rtErrorCallback(void(RTAPIENTRY *cb)(RTenum code, const ch
                                       void *user);
 
 /* Text about the library: RT_VERSION, RT_VENDOR, RT_RENDERER, RT_ISA (the instruction set that
- * the kernels use: generic, sse4, avx2, avx512 or neon). Lives as long as the library; NULL on
- * error.
+ * the kernels use: generic, sse4, avx2, avx512 or neon), RT_ISA_NAMES (those that library and
+ * machine have, best first, with spaces between), RT_SHADER_FOLDERS (where shader libraries are
+ * looked for, with colons between). Lives as long as the library, RT_SHADER_FOLDERS until it is
+ * asked for again on the thread; NULL on error.
  * Errors:  RT_INVALID_ENUM  another name
  * Threads: the context's. Since: 0.1 */
 RTAPI const RTubyte *RTAPIENTRY rtGetString(RTenum name);

@@ -29,6 +29,19 @@ struct RTshaderclass;
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtGenNewShaderClass(const char *shaderName, const char *fileName);
 
+/* Names of shader classes, in alphabetical order, each followed by a line feed: those of a shader
+ * library, found and examined as by rtGenNewShaderClass, or with NULL the built-in ones. The text
+ * lives until the next call of this function on the thread. NULL on error.
+ * Errors:  RT_INVALID_VALUE  the file is missing or no shader library that can be used
+ * Threads: the context's. Since: 0.1 */
+RTAPI const char *RTAPIENTRY rtGetShaderClassNames(const char *fileName);
+
+/* What a class is: its kind, parameters and functions, as rts.h has them. Lives as long as the
+ * class: until its id is removed and its shaders are gone. NULL on error.
+ * Errors:  RT_INVALID_VALUE  unknown class
+ * Threads: the context's. Since: 0.1 */
+RTAPI const struct RTshaderclass *RTAPIENTRY rtGetShaderClassDescriptor(RTuint shaderClass);
+
 /* Makes a class that is part of the program known to this context under its name, and returns its
  * id, bound as by rtGenNewShaderClass. The descriptor is copied; the functions in it must stay
  * where they are. A later class of the same name hides an earlier one from rtGenNewShaderClass.
