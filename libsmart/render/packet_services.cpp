@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <optional>
 
 #include "libsmart/render/ray_offset.h"
 #include "libsmart/render/ray_services.h"
@@ -130,22 +131,25 @@ PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
     RTSpacket& points = packet.points;
     const bool hasBlocks = surface.functions().triangleSize || surface.functions().vertexSize;
     RTSstate state;
-    int last = -1; // the lane before
+    std::optional<SurfaceTriangle> triangle; // of the lane before: neighbours often share it
+    const Hit* last = nullptr;
     forEach(lanes, [&](int i) {
         const Hit& hit = rays.hit[i];
         HitChain& chain = packet.chain[i];
-        if (last >= 0 && samePath(hit, rays.hit[last])) {
-            chain = packet.chain[last];
+        const bool sameWay = last && samePath(hit, *last);
+        if (sameWay) {
+            chain = triangle->chain();
             chain.triangle = hit.triangle;
         } else {
             chain = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
         }
-        last = i;
+        if (!sameWay || hit.triangle != last->triangle) triangle.emplace(chain);
+        last = &hit;
         packet.cone[i] = rays.cone[i].after(hit.t);
         packet.u[i] = hit.u;
         packet.v[i] = hit.v;
         packet.error[i] = -1.0f;
-        fillSurfacePoint(chain, hit.path[0], rays.ray[i], hit.t, hit.u, hit.v, state);
+        fillSurfacePoint(*triangle, hit.path[0], rays.ray[i], hit.t, hit.u, hit.v, state);
         setLane(points.rayOrigin, i, state.rayOrigin);
         setLane(points.rayDirection, i, state.rayDirection);
         points.rayDistance.lane[i] = state.rayDistance;

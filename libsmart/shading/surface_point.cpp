@@ -27,23 +27,6 @@ void store(float (&to)[3], const glm::dvec3& from) {
 
 glm::dvec3 vertex(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-/// Normals of the model in its own space to the world: times the inverse transpose.
-class NormalMatrix {
-public:
-    explicit NormalMatrix(const glm::dmat4x3& toWorld) {
-        const glm::dvec3 x = toWorld[0], y = toWorld[1], z = toWorld[2];
-        cofactors_ = {glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
-        determinant_ = glm::dot(x, cofactors_[0]);
-    }
-    glm::dvec3 operator()(const glm::dvec3& normal) const {
-        return cofactors_ * normal / determinant_;
-    }
-
-private:
-    glm::dmat3 cofactors_;
-    double determinant_;
-};
-
 /// Attributes of a hit's three vertices, by the rule that what an object did not set comes from
 /// its instance, and what that one's parent did not set either from the instance above it.
 class Corners {
@@ -80,8 +63,9 @@ private:
 };
 
 /// Shading normal in the world, as interpolation leaves it; false: no vertex has a normal.
-bool interpolateNormal(const HitChain& chain, const Corners& corners, const glm::dvec3& weights,
-                       glm::dvec3& normal) {
+bool interpolateNormal(SurfaceTriangle& triangle, const Corners& corners,
+                       const glm::dvec3& weights, glm::dvec3& normal) {
+    const HitChain& chain = triangle.chain();
     const ShadingData& shading = chain.model->shading;
     const glm::vec3* given[3];
     for (int i = 0; i < 3; ++i) given[i] = corners.find(shading.normals, shading.firstNormal, i);
@@ -94,7 +78,7 @@ bool interpolateNormal(const HitChain& chain, const Corners& corners, const glm:
     }
     glm::dvec3 sum(0.0);
     for (int i = 0; i < 3; ++i) sum += weights[i] * (given[i] ? glm::dvec3(*given[i]) : geometric);
-    normal = NormalMatrix(chain.toWorld)(sum);
+    normal = triangle.toWorld(sum);
     return true;
 }
 
@@ -143,8 +127,35 @@ uint32_t effectiveShader(const HitChain& chain) {
     return shader;
 }
 
-void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, float t, float u,
-                      float v, RTSstate& state) {
+SurfaceTriangle::SurfaceTriangle(const HitChain& chain)
+    : chain_(&chain),
+      corners_{chain.worldVertex(0), chain.worldVertex(1), chain.worldVertex(2)},
+      areaNormal_(chain.worldNormal()),
+      normal_(areaNormal_),
+      hasNormal_(normalizeSafely(normal_)) {}
+
+const glm::dvec3& SurfaceTriangle::flatShadingNormal() {
+    if (!hasFlat_) {
+        flat_ = normal_;
+        normalizeSafely(flat_);
+        hasFlat_ = true;
+    }
+    return flat_;
+}
+
+glm::dvec3 SurfaceTriangle::toWorld(const glm::dvec3& normal) {
+    if (!hasCofactors_) {
+        const glm::dvec3 x = chain_->toWorld[0], y = chain_->toWorld[1], z = chain_->toWorld[2];
+        cofactors_ = {glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
+        determinant_ = glm::dot(x, cofactors_[0]);
+        hasCofactors_ = true;
+    }
+    return cofactors_ * normal / determinant_;
+}
+
+void fillSurfacePoint(SurfaceTriangle& triangle, uint32_t instance, const Ray& ray, float t,
+                      float u, float v, RTSstate& state) {
+    const HitChain& chain = triangle.chain();
     glm::dvec3 direction(ray.dir[0], ray.dir[1], ray.dir[2]);
     const double length = std::sqrt(glm::dot(direction, direction));
     normalizeSafely(direction);
@@ -154,21 +165,23 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
 
     const glm::dvec3 weights = weightsOf(u, v);
     store(state.barycentric, weights);
-    store(state.position, weights[0] * chain.worldVertex(0) + weights[1] * chain.worldVertex(1) +
-                              weights[2] * chain.worldVertex(2));
+    store(state.position, weights[0] * triangle.corner(0) + weights[1] * triangle.corner(1) +
+                              weights[2] * triangle.corner(2));
 
     // Underflow may take the normal of a triangle that is hit: then it faces the ray.
-    const glm::dvec3 areaNormal = chain.worldNormal();
-    glm::dvec3 geometric = areaNormal;
-    if (!normalizeSafely(geometric)) geometric = -direction;
+    const glm::dvec3 geometric = triangle.normal() ? *triangle.normal() : -direction;
     store(state.geometricNormal, geometric);
     state.frontFace = glm::dot(direction, geometric) > 0 ? 0u : 1u;
 
     const Corners corners(chain);
     glm::dvec3 normal;
-    if (!interpolateNormal(chain, corners, weights, normal)) normal = geometric;
-    store(state.rawNormal, normal);
-    store(state.shadingNormal, normalizeSafely(normal) ? normal : geometric);
+    if (interpolateNormal(triangle, corners, weights, normal)) {
+        store(state.rawNormal, normal);
+        store(state.shadingNormal, normalizeSafely(normal) ? normal : geometric);
+    } else {
+        store(state.rawNormal, geometric);
+        store(state.shadingNormal, triangle.normal() ? triangle.flatShadingNormal() : geometric);
+    }
 
     const ShadingData& shading = chain.model->shading;
     glm::vec4 values[3];
@@ -178,7 +191,7 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
     state.texCoordDensity =
         shading.texCoords.empty()
             ? 0.0f
-            : densityOf(values, std::sqrt(glm::dot(areaNormal, areaNormal)));
+            : densityOf(values, std::sqrt(glm::dot(triangle.areaNormal(), triangle.areaNormal())));
     corners.get(shading.colors, shading.firstColor, &InheritedAttributes::ownColor,
                 &InheritedAttributes::color, values);
     interpolate(values, weights, state.color);
