@@ -100,6 +100,29 @@ TEST(PluginLives, TheContextEndsWhileAFrameIsBusyWithIt) {
     EXPECT_FALSE(isLoaded("gate.so"));
 }
 
+/// The library's own type of exception, thrown through its C interface, is told though the library
+/// has been removed.
+TEST(PluginLives, AnExceptionOutlivesTheClassButNotTheLibrary) {
+    Picture picture;
+    const RTuint shaderClass = load("Faulty", "fault_ShadeThrows.so");
+    const RTuint shader = rtGenNewShader();
+    ASSERT_EQ(rtGetError(), RTenum(RT_NO_ERROR)) << rtGetErrorText();
+    Picture::fill();
+    rtStartRendering();
+    rtRemoveShader(shader);
+    rtRemoveShaderClass(shaderClass);
+    rtEndRendering();
+    EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_OPERATION));
+    ASSERT_NE(load("Blue", "two_halves.so"), RTuint(RT_INVALID)) << rtGetErrorText();
+    rtGenNewShader();
+    Picture::fill();
+    rtRender();
+    EXPECT_EQ(picture.centre(), (Rgb{0, 0, 0.5f}));
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR)) << rtGetErrorText();
+    rtExit();
+    EXPECT_FALSE(isLoaded("fault_ShadeThrows.so"));
+}
+
 TEST(PluginLives, EqualNamesInTwoLibrariesDoNotMeet) {
     Picture picture;
     RTuint shaders[2];

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <stdexcept>
 
 #define FAULT_kMagic 1
@@ -30,7 +31,8 @@
 #define FAULT_kClassVersion 21
 #define FAULT_kClassTooSmall 22
 #define FAULT_kHuge 23
-#define FAULT_kNone 24
+#define FAULT_kShadeThrows 24
+#define FAULT_kNone 25
 #define IS(name) (FAULT == FAULT_##name)
 
 namespace {
@@ -43,7 +45,11 @@ int construct(void*, void*, void*) {
     if (IS(kConstructThrows)) throw 42;
     return IS(kConstructFails) ? 1 : 0;
 }
+struct LocalError : std::exception {
+    const char* what() const noexcept override { return "words of the library"; }
+};
 int shade(const void*, RTSstate* state) {
+    if (IS(kShadeThrows)) throw LocalError();
     rtsResultColor(state, 0.5f, 0.5f, 0.5f);
     return 0;
 }
