@@ -6,6 +6,7 @@
 #include <exception>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #if defined(__linux__)
 #include <pthread.h>
@@ -58,13 +59,16 @@ void work(TileSource& source, const Tracer& tracer) {
     TilePixels pixels;
     TileJob job;
     while (source.next(job)) {
+        std::exception_ptr failure; // handed on when this thread holds nothing of it any more
         try {
             tracer.render(*job.frame, job.tile, pixels);
         } catch (...) {
-            source.failed(job, std::current_exception());
-            continue;
+            failure = std::current_exception();
         }
-        source.done(job, pixels);
+        if (failure)
+            source.failed(job, std::move(failure));
+        else
+            source.done(job, pixels);
     }
 }
 
