@@ -97,6 +97,8 @@ RTuint RtScene::texture(const SceneDescription& scene, int index, bool srgb) {
     rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_T, wrapToken(description.wrapT));
     rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MAG_FILTER,
                     description.nearest ? RT_NEAREST : RT_LINEAR);
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MIN_FILTER, RT_LINEAR_MIPMAP_LINEAR);
+    rtTexParameteri(RT_TEXTURE_2D, RT_GENERATE_MIPMAP, RT_TRUE);
     // The upper row first: t = 0 is then the upper edge, as texture coordinates here have it.
     rtTexImage2D(RT_TEXTURE_2D, 0, srgb ? RT_SRGB8_ALPHA8 : RT_RGBA8, RTsizei(image.width),
                  RTsizei(image.height), 0, RT_RGBA, RT_UNSIGNED_BYTE, image.rgba.data());
