@@ -1,40 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The precision policies: how a group of rays is prepared for a tree, and how it meets a triangle.
+// The two float policies: how a group of rays is prepared for a tree, and how it meets a triangle.
 #pragma once
 
-#include "libsmart/kernel/search.h"
+#include "libsmart/kernel/shear.h"
 
 namespace smart::SMART_ISA {
 
-/// Rays that share the signs of their direction and its dominant axis.
-struct RayGroup {
-    uint32_t lanes;
-    bool negative[3];
-    int dominantAxis;
-};
-
-/// Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013: vertices are
-/// sheared into a space where the ray is the z axis; the signs of the 2D edge functions decide.
-/// A float difference of rounded products has the exact sign unless it is zero, and then double
-/// products, which are exact, decide. That needs multiplication and subtraction to stay apart.
+/// Woop, Benthin, Wald (2013). An edge function, a float difference of rounded products, has the
+/// exact sign unless it is zero, and then double products, which are exact, decide. That needs
+/// multiplication and subtraction to stay apart.
 template <int N>
 class Watertight {
 public:
+    using Rays = LocalRays<N>;
+
     Watertight(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group)
-        : triangles_(model.triangles),
-          kx_((group.dominantAxis + 1) % 3),
-          ky_((group.dominantAxis + 2) % 3),
-          kz_(group.dominantAxis),
-          rays_(rays) {
-        const Real<N> one(1.0f);
-        ox_ = Real<N>::load(rays.org[kx_]);
-        oy_ = Real<N>::load(rays.org[ky_]);
-        oz_ = Real<N>::load(rays.org[kz_]);
-        sz_ = one / Real<N>::load(rays.dir[kz_]);
-        sx_ = Real<N>::load(rays.dir[kx_]) / Real<N>::load(rays.dir[kz_]);
-        sy_ = Real<N>::load(rays.dir[ky_]) / Real<N>::load(rays.dir[kz_]);
+        : triangles_(model.triangles), shear_(rays, group), rays_(rays) {
         // Weights of slivers err in float, and t with them, by a share of the triangle's depth.
-        doubtful_ = magnitude(sz_) * (Real<N>(model.tree.maxAbs) + magnitude(oz_)) *
+        doubtful_ = magnitude(shear_.scale()) *
+                    (Real<N>(model.tree.maxAbs) + magnitude(shear_.depthOrigin())) *
                     Real<N>(0x1p-10f);
     }
 
@@ -42,19 +26,9 @@ public:
     /// looked at.
     HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
         const Triangle& triangle = triangles_[number];
-        const Real<N> az = Real<N>(triangle.v0[kz_]) - oz_;
-        const Real<N> bz = Real<N>(triangle.v1[kz_]) - oz_;
-        const Real<N> cz = Real<N>(triangle.v2[kz_]) - oz_;
-        const Real<N> ax = (Real<N>(triangle.v0[kx_]) - ox_) - sx_ * az;
-        const Real<N> ay = (Real<N>(triangle.v0[ky_]) - oy_) - sy_ * az;
-        const Real<N> bx = (Real<N>(triangle.v1[kx_]) - ox_) - sx_ * bz;
-        const Real<N> by = (Real<N>(triangle.v1[ky_]) - oy_) - sy_ * bz;
-        const Real<N> cx = (Real<N>(triangle.v2[kx_]) - ox_) - sx_ * cz;
-        const Real<N> cy = (Real<N>(triangle.v2[ky_]) - oy_) - sy_ * cz;
-
-        const Real<N> u = cx * by - cy * bx;
-        const Real<N> v = ax * cy - ay * cx;
-        const Real<N> w = bx * ay - by * ax;
+        const Sheared<N> sheared = shear_(triangle);
+        Real<N> u, v, w;
+        sheared.edgeFunctions(u, v, w);
         const Real<N> lowest = min(min(u, v), w);
         const Real<N> highest = max(max(u, v), w);
         const Real<N> zero(0.0f);
@@ -62,33 +36,26 @@ public:
         if (!any(inside)) return inside;
 
         const Real<N> determinant = u + v + w;
-        t = (u * az + v * bz + w * cz) * sz_ / determinant;
+        t = (u * sheared.a[2] + v * sheared.b[2] + w * sheared.c[2]) * shear_.scale() / determinant;
         const Mask<N> undecided = inside & ((u == zero) | (v == zero) | (w == zero));
         inside = andNot(inside, undecided) & (determinant != zero);
-        if (any(undecided)) {
-            const Sheared sheared = {{ax, ay, az}, {bx, by, bz}, {cx, cy, cz}};
-            decideExactly(sheared, undecided.bits(), inside, t);
-        }
+        if (any(undecided)) decideExactly(sheared, undecided.bits(), inside, t);
         const Mask<N> atStart = inside & (magnitude(t) <= doubtful_);
         if (any(atStart)) placeExactly(triangle, atStart.bits(), t);
         return inside;
     }
 
 private:
-    struct Sheared {
-        Real<N> a[3], b[3], c[3];
-    };
-
     /// Repeats the test in double for the given lanes.
-    [[gnu::noinline]] void decideExactly(const Sheared& sheared, uint32_t lanes, Mask<N>& inside,
-                                         Real<N>& t) const {
+    [[gnu::noinline]] void decideExactly(const Sheared<N>& sheared, uint32_t lanes,
+                                         Mask<N>& inside, Real<N>& t) const {
         alignas(64) float a[3][N], b[3][N], c[3][N], scale[N], result[N];
         for (int k = 0; k < 3; ++k) {
             sheared.a[k].store(a[k]);
             sheared.b[k].store(b[k]);
             sheared.c[k].store(c[k]);
         }
-        sz_.store(scale);
+        shear_.scale().store(scale);
         t.store(result);
         uint32_t accepted = inside.bits();
         for (; lanes; lanes &= lanes - 1) {
@@ -134,9 +101,9 @@ private:
     }
 
     const Triangle* triangles_;
-    int kx_, ky_, kz_;
+    Shear<N> shear_;
     const LocalRays<N>& rays_;
-    Real<N> ox_, oy_, oz_, sx_, sy_, sz_, doubtful_;
+    Real<N> doubtful_;
 };
 
 /// Wald, "Realtime ray tracing and interactive global illumination", PhD thesis 2004, section
@@ -144,6 +111,8 @@ private:
 template <int N>
 class Fast {
 public:
+    using Rays = LocalRays<N>;
+
     Fast(const ModelView& model, const LocalRays<N>& rays, const RayGroup&)
         : records_(model.records) {
         for (int k = 0; k < 3; ++k) {

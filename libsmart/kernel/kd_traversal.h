@@ -11,7 +11,8 @@
 // A lane visits the leaves that it would visit alone: what it finds does not depend on the others.
 #pragma once
 
-#include "libsmart/kernel/intersect.h"
+#include "libsmart/kernel/precise_rays.h"
+#include "libsmart/kernel/shear.h"
 
 namespace smart::SMART_ISA {
 
@@ -23,6 +24,33 @@ Real<N> boundedReciprocal(const Real<N>& x) {
     return select(x == Real<N>(0.0f), Real<N>(kBound), r);
 }
 
+/// Of the tree's box and the rays' origins.
+template <int N>
+Real<N> largestCoordinate(const KdView& tree, const LocalRays<N>& rays) {
+    Real<N> scale(tree.maxAbs);
+    for (int k = 0; k < 3; ++k) scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
+    return scale;
+}
+
+/// How far planes are moved.
+template <int N>
+Real<N> planePadding(const KdView& tree, const LocalRays<N>& rays, const RayGroup&) {
+    return largestCoordinate(tree, rays) * Real<N>(0x1p-21f);
+}
+
+/// With u = 2^-24 and S the largest coordinate: the computed distance (s - o) / d rounds three
+/// times, by 3u * 2S d^-1, and the padded origin once, by u S; the pad of 8u S covers that. An
+/// origin off by x moves a point by x, a direction off by y moves it by y t, where t <= 2S over
+/// the largest component of the direction; a reciprocal that was bounded by less than 2^-100 S.
+template <int N>
+Real<N> planePadding(const KdView& tree, const PreciseRays<N>& rays, const RayGroup& group) {
+    const Real<N> scale = largestCoordinate(tree, rays);
+    const Real<N> drift = scale * Real<N>(2.5f) * Real<N>::load(rays.dirError) /
+                          magnitude(Real<N>::load(rays.dir[group.dominantAxis]));
+    return scale * Real<N>(0x1p-21f) +
+           (Real<N>::load(rays.orgError) * Real<N>(1.25f) + (drift + Real<N>(0x1p-144f)));
+}
+
 /// Rays ready for one tree.
 template <int N>
 struct TreeRays {
@@ -31,10 +59,9 @@ struct TreeRays {
     Real<N> enterOrg[3]; ///< ... begins: padded to be early
     const RayGroup& group;
 
-    TreeRays(const KdView& tree, const LocalRays<N>& rays, const RayGroup& g) : group(g) {
-        Real<N> scale(tree.maxAbs);
-        for (int k = 0; k < 3; ++k) scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
-        const Real<N> padding = scale * Real<N>(0x1p-21f);
+    template <class Rays>
+    TreeRays(const KdView& tree, const Rays& rays, const RayGroup& g) : group(g) {
+        const Real<N> padding = planePadding(tree, rays, g);
         for (int k = 0; k < 3; ++k) {
             const Real<N> org = Real<N>::load(rays.org[k]);
             reciprocal[k] = boundedReciprocal(Real<N>::load(rays.dir[k]));

@@ -208,7 +208,8 @@ TEST(Instances, VisitsGrowLittleFrom100To10000) {
         const Scene scene(std::move(instances), Precision::Watertight, 1);
         HitPacket hits;
         for (const Ray& ray : rays) {
-            kernels().intersectCounted(scene.view(), packet({&ray, 1}, 0), hits, counts[size]);
+            kernels().intersectCounted[int(Precision::Watertight)](
+                scene.view(), packet({&ray, 1}, 0), hits, counts[size]);
         }
     }
     const double nodes = double(counts[1].nodes) / double(counts[0].nodes);
