@@ -45,8 +45,8 @@ Real<N> planePadding(const KdView& tree, const LocalRays<N>& rays, const RayGrou
 template <int N>
 Real<N> planePadding(const KdView& tree, const PreciseRays<N>& rays, const RayGroup& group) {
     const Real<N> scale = largestCoordinate(tree, rays);
-    const Real<N> drift = scale * Real<N>(2.5f) * Real<N>::load(rays.dirError) /
-                          magnitude(Real<N>::load(rays.dir[group.dominantAxis]));
+    const Real<N> drift = Real<N>(2.5f) * Real<N>::load(rays.dirError) /
+                          magnitude(Real<N>::load(rays.dir[group.dominantAxis])) * scale;
     return scale * Real<N>(0x1p-21f) +
            (Real<N>::load(rays.orgError) * Real<N>(1.25f) + (drift + Real<N>(0x1p-144f)));
 }

@@ -91,7 +91,9 @@ void runBuild(const Options& options, const std::vector<Triangle>& triangles, Re
 
 void runRays(const Options& options, const std::vector<Triangle>& triangles, Report& report) {
     const View view = viewOf(options);
-    const auto precision = options.precision == "fast" ? Precision::Fast : Precision::Watertight;
+    const auto precision = options.precision == "fast"      ? Precision::Fast
+                           : options.precision == "precise" ? Precision::Precise
+                                                            : Precision::Watertight;
     showProgress("building");
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, precision, options.threads, built);
@@ -178,7 +180,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(4, 16384));
     rays->add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
     rays->add_option("--precision", options.precision)
-        ->check(CLI::IsMember({"watertight", "fast"}));
+        ->check(CLI::IsMember({"watertight", "fast", "precise"}));
     rays->add_flag("--plant-error", options.plantError,
                    "name wrong triangles now and then, to prove the comparison");
     CLI11_PARSE(app, argc, argv);
