@@ -17,7 +17,7 @@ struct Crossing : Touch {
     double t = 0, error = 0;
 };
 
-/// As ExactAnswer.
+/// As ExactAnswer; where the distance is above the largest float, a hit is a may.
 struct Truth {
     bool must = false;
     std::vector<Crossing> nearest, touches;
