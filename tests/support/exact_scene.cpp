@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -81,6 +82,25 @@ struct ExactScene::Exact {
         return p[0] * normal(0, 0) + p[1] * normal(0, 1) + p[2] * normal(0, 2);
     }
     Expansion sum() const { return weight(0) + weight(1) + weight(2); }
+};
+
+/// t = volume / sum.
+struct Distance {
+    Expansion volume, sum;
+};
+
+/// A crossing that may be the nearest, and its exact distance once somebody asked.
+struct ExactScene::Contender {
+    Crossing crossing;
+    std::shared_ptr<const Distance> exact;
+
+    const Distance& exactly(const ExactScene& scene, const Ray& ray) {
+        if (!exact) {
+            const Exact at(scene.reference_.corners(crossing.triangle), ray);
+            exact = std::make_shared<const Distance>(Distance{at.volume(), at.sum()});
+        }
+        return *exact;
+    }
 };
 
 ExactScene::ExactScene(const ExactReference& reference)
@@ -221,20 +241,20 @@ bool ExactScene::crosses(uint32_t triangle, const Ray& ray, Crossing& crossing) 
 }
 
 /// The sign of a.t - b.t.
-int ExactScene::compareT(const Ray& ray, const Crossing& a, const Crossing& b) const {
-    if (a.t - a.error > b.t + b.error) return 1;
-    if (a.t + a.error < b.t - b.error) return -1;
-    const Exact first(reference_.corners(a.triangle), ray);
-    const Exact second(reference_.corners(b.triangle), ray);
-    return (first.volume() * second.sum() - second.volume() * first.sum()).sign() * a.facing *
-           b.facing;
+int ExactScene::compareT(const Ray& ray, Contender& a, Contender& b) const {
+    const Crossing &first = a.crossing, &second = b.crossing;
+    if (first.t - first.error > second.t + second.error) return 1;
+    if (first.t + first.error < second.t - second.error) return -1;
+    const Distance &p = a.exactly(*this, ray), &q = b.exactly(*this, ray);
+    return (p.volume * q.sum - q.volume * p.sum).sign() * first.facing * second.facing;
 }
 
-int ExactScene::compareT(const Ray& ray, const Crossing& a, double limit) const {
-    if (a.t - a.error > limit) return 1;
-    if (a.t + a.error < limit || limit == kInfinity) return -1;
-    const Exact exact(reference_.corners(a.triangle), ray);
-    return (exact.volume() - exact.sum() * Expansion(limit)).sign() * a.facing;
+int ExactScene::compareT(const Ray& ray, Contender& a, double limit) const {
+    const Crossing& crossing = a.crossing;
+    if (crossing.t - crossing.error > limit) return 1;
+    if (crossing.t + crossing.error < limit || limit == kInfinity) return -1;
+    const Distance& exact = a.exactly(*this, ray);
+    return (exact.volume - exact.sum * Expansion(limit)).sign() * crossing.facing;
 }
 
 Truth ExactScene::nearest(const Ray& ray) const {
@@ -245,38 +265,40 @@ Truth ExactScene::nearest(const Ray& ray) const {
     if (std::isnan(ray.tNear) || std::isnan(ray.tFar) || !(tNear <= ray.tFar)) return truth;
     const double tFar = ray.tFar;
 
-    std::vector<Crossing> crossings;
+    std::vector<Contender> contenders;
     visitNear(ray, [&](uint32_t triangle, double& limit) {
-        Crossing crossing;
+        Contender contender;
+        Crossing& crossing = contender.crossing;
         if (!crosses(triangle, ray, crossing)) return;
         if (crossing.t - crossing.error > limit) return;
-        if (compareT(ray, crossing, tNear) < 0 || compareT(ray, crossing, tFar) > 0) return;
-        crossings.push_back(crossing);
+        if (compareT(ray, contender, tNear) < 0 || compareT(ray, contender, tFar) > 0) return;
         if (crossing.zeros == 0 && crossing.t - crossing.error > tNear &&
             crossing.t + crossing.error < kLargest) {
             limit = std::min(limit, crossing.t + crossing.error);
         }
+        contenders.push_back(std::move(contender));
     });
     std::vector<Touch> layer;
-    while (!crossings.empty() && !truth.must) {
-        std::vector<Crossing> first, rest;
-        for (const Crossing& crossing : crossings) {
-            const int side = first.empty() ? -1 : compareT(ray, crossing, first[0]);
+    while (!contenders.empty() && !truth.must) {
+        std::vector<Contender> first, rest;
+        for (Contender& contender : contenders) {
+            const int side = first.empty() ? -1 : compareT(ray, contender, first[0]);
             if (side < 0) {
                 rest.insert(rest.end(), first.begin(), first.end());
                 first.clear();
             }
-            (side > 0 ? rest : first).push_back(crossing);
+            (side > 0 ? rest : first).push_back(std::move(contender));
         }
         // Beyond the largest float a distance has no name.
         const bool atLimit = compareT(ray, first[0], tNear) == 0 ||
                              compareT(ray, first[0], tFar) == 0 ||
                              compareT(ray, first[0], kLargest) > 0;
-        layer.assign(first.begin(), first.end());
+        layer.clear();
+        for (const Contender& contender : first) layer.push_back(contender.crossing);
         truth.must = !atLimit && reference_.topology().isMust(layer);
-        (truth.must ? truth.nearest : truth.touches)
-            .insert((truth.must ? truth.nearest : truth.touches).end(), first.begin(), first.end());
-        crossings = std::move(rest);
+        std::vector<Crossing>& kind = truth.must ? truth.nearest : truth.touches;
+        for (const Contender& contender : first) kind.push_back(contender.crossing);
+        contenders = std::move(rest);
     }
     return truth;
 }

@@ -50,12 +50,13 @@ private:
     };
     struct Filtered;
     struct Exact;
+    struct Contender;
 
     void build(uint32_t node, uint32_t first, uint32_t last);
     template <typename Visit>
     void visitNear(const Ray& ray, const Visit& visit) const;
-    int compareT(const Ray& ray, const Crossing& a, const Crossing& b) const;
-    int compareT(const Ray& ray, const Crossing& a, double limit) const;
+    int compareT(const Ray& ray, Contender& a, Contender& b) const;
+    int compareT(const Ray& ray, Contender& a, double limit) const;
 
     const ExactReference& reference_;
     double delta_, maxAbs_;
