@@ -78,7 +78,8 @@ void nameHit(const Search<N, M, Counter>& query, int lane, TriangleName& name) {
     for (uint32_t l = 0; l < name.levels; ++l) name.path[l] = query.path[l][lane];
 }
 
-inline double largerOf(double a, double b) {
+template <class T>
+T largerOf(T a, T b) {
     return a > b ? a : b;
 }
 

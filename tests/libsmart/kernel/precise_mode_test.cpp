@@ -1,77 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The precise mode finds what exact arithmetic finds: the nearest crossing, touches included, and
-// its t, u and v as the nearest floats.
+// The precise mode on single models, against exact arithmetic.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/libsmart/kernel/engine_check.h"
+#include "tests/libsmart/kernel/precise_check.h"
 #include "tests/libsmart/kernel/test_size.h"
 #include "tests/support/procedural_meshes.h"
 #include "tests/support/ray_sets.h"
 
 namespace smart::test {
 namespace {
-
-/// How many hits differ from the exact ones, and in what.
-struct Differences {
-    std::size_t hits = 0, existence = 0, triangle = 0, rounding = 0;
-    std::size_t all() const { return existence + triangle + rounding; }
-};
-std::ostream& operator<<(std::ostream& out, const Differences& d) {
-    return out << d.hits << " hits; wrong: " << d.existence << " hit or miss, " << d.triangle
-               << " triangles, " << d.rounding << " roundings";
-}
-
-bool isNearestFloat(float value, const mpq_class& exact) {
-    if (std::isinf(value)) return abs(exact) >= mpq_class(std::ldexp(1.0, 128) - std::ldexp(1.0, 103));
-    const mpq_class error = abs(mpq_class(value) - exact);
-    for (const float other : {std::nextafter(value, INFINITY), std::nextafter(value, -INFINITY)}) {
-        if (!std::isinf(other) && abs(mpq_class(other) - exact) < error) return false;
-    }
-    return true;
-}
-
-/// Compares with the exact nearest crossing of all: the first touch, or else the must layer.
-void compare(const TracedScene& scene, const ExactAnswer& truth, const Hit& hit,
-             Differences& differences) {
-    const std::vector<ExactCrossing>& first = truth.touches.empty() ? truth.nearest : truth.touches;
-    if (first.empty() != (hit.triangle == kNoHit)) {
-        ++differences.existence;
-        return;
-    }
-    if (first.empty()) return;
-    ++differences.hits;
-    const ExactCrossing* lowest = &first[0];
-    for (const ExactCrossing& crossing : first) {
-        if (crossing.t == first[0].t && crossing.triangle < lowest->triangle) lowest = &crossing;
-    }
-    if (scene.claim(hit).triangle != lowest->triangle) {
-        ++differences.triangle;
-        return;
-    }
-    differences.rounding += !isNearestFloat(hit.t, lowest->t) ||
-                            !isNearestFloat(hit.u, lowest->u) || !isNearestFloat(hit.v, lowest->v);
-}
-
-Differences compareAll(const TracedScene& scene, std::span<const Ray> rays,
-                       std::span<const Hit> hits) {
-    Differences differences;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        compare(scene, scene.reference().nearest(rays[i]), hits[i], differences);
-    }
-    return differences;
-}
-
-Differences checkPrecise(const TracedScene& scene, std::span<const Ray> rays,
-                         const std::string& name) {
-    SCOPED_TRACE(name);
-    const Differences differences =
-        compareAll(scene, rays, traceAllWays(scene.view(), rays, Precision::Precise));
-    EXPECT_EQ(differences.all(), 0u) << differences;
-    std::cout << "    " << name << ": " << differences << '\n';
-    return differences;
-}
 
 TEST(PreciseMode, RandomRaysHitAsExact) {
     const std::pair<const char*, std::vector<Triangle>> meshes[] = {
