@@ -19,14 +19,8 @@ double largest(const double* x) {
     return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2])));
 }
 
-/// A ray in object space; no component is off by more than the errors.
-struct ObjectRay {
-    double org[3], dir[3];
-    double orgError = 0, dirError = 0;
-};
-
-/// InstanceView::inverse bounds what the inverse itself is off by. The arithmetic here adds less
-/// than 8u of the terms to the origin and 4u to the direction.
+// InstanceView::inverse bounds what the inverse itself is off by. The arithmetic here adds less
+// than 8u of the terms to the origin and 4u to the direction.
 void enter(const InstanceView& instance, ObjectRay& ray) {
     const InverseBound& inverse = instance.inverse;
     const double orgSize = largest(ray.org) + inverse.offset, dirSize = largest(ray.dir);
@@ -72,6 +66,22 @@ Estimate quotient(const Estimate& dividend, const Estimate& divisor) {
 
 } // namespace
 
+const Triangle& enterModel(const ModelView& scene, const WorldRay& world, const TriangleName& name,
+                           ObjectRay& ray) {
+    for (int k = 0; k < 3; ++k) {
+        ray.org[k] = world.org[k];
+        ray.dir[k] = world.dir[k];
+    }
+    ray.orgError = ray.dirError = 0;
+    const ModelView* model = &scene;
+    for (uint32_t l = 0; l < name.levels; ++l) {
+        const InstanceView& instance = model->children[name.path[l]];
+        if (!instance.identity) enter(instance, ray);
+        model = instance.model;
+    }
+    return model->triangles[name.triangle];
+}
+
 // With A, B the first two vertices as seen from the origin, e0, e1, e2 the edges from the second
 // to the third vertex and from the first to the others, n = e1 x e2:
 //   weights d.(B x e0), d.(e2 x A), d.(A x e1), their sum d.n, and t = A.n / d.n.
@@ -87,17 +97,7 @@ void meetInDouble(const ModelView& scene, const WorldRay& world, const TriangleN
     result.t = result.u = result.v = kUnknown;
 
     ObjectRay ray;
-    for (int k = 0; k < 3; ++k) {
-        ray.org[k] = world.org[k];
-        ray.dir[k] = world.dir[k];
-    }
-    const ModelView* model = &scene;
-    for (uint32_t l = 0; l < name.levels; ++l) {
-        const InstanceView& instance = model->children[name.path[l]];
-        if (!instance.identity) enter(instance, ray);
-        model = instance.model;
-    }
-    const Triangle& triangle = model->triangles[name.triangle];
+    const Triangle& triangle = enterModel(scene, world, name, ray);
 
     double a[3], b[3], e0[3], e1[3], e2[3];
     for (int k = 0; k < 3; ++k) {

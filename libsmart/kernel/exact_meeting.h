@@ -28,6 +28,15 @@ struct TriangleName {
     uint32_t triangle;
 };
 
+/// A ray in object space, in double; no component is off by more than the errors.
+struct ObjectRay {
+    double org[3], dir[3];
+    double orgError, dirError;
+};
+/// Takes the ray to the space of the triangle named, which is returned.
+const Triangle& enterModel(const ModelView& scene, const WorldRay& world, const TriangleName& name,
+                           ObjectRay& ray);
+
 enum class Side : uint32_t { Outside, Inside, Unsure };
 
 /// A number that lies in [value - error, value + error]; error is never NaN.

@@ -4,6 +4,7 @@
 
 #include "libsmart/kernel/hit_refinement.h"
 #include "libsmart/kernel/intersect.h"
+#include "libsmart/kernel/hit_rounding.h"
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/kernel/ray_preparation.h"
 #include "libsmart/kernel/scene_traversal.h"
@@ -58,12 +59,7 @@ template <template <int> class Precision, int N, class Counter>
 void place(const ModelView& scene, const RayArrays& in, const WorldRays<N>& world,
            const Search<N, HitMode::Closest, Counter>& query, float* t, float* u, float* v) {
     if constexpr (kIsPrecise<Precision>) {
-        for (int i = 0; i < N; ++i) {
-            if (query.triangle[i] == kNoHit) continue;
-            TriangleName name;
-            nameHit(query, i, name);
-            placeHit(scene, worldRay(world, i), name, t[i], u[i], v[i]);
-        }
+        placeHits(scene, world, query, t, u, v);
     } else {
         refineHits<N>(scene, in.org, in.dir, in.tNear, in.tFar, query.triangle, query.levels,
                       query.path, t, u, v);
