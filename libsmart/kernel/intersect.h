@@ -45,6 +45,17 @@ public:
         return inside;
     }
 
+    /// Of the lanes that meet the triangle at t, those for which float can compare t with `best`:
+    /// the others are compared in double. Those whose far limit it passes are dropped, those for
+    /// which it is the nearest of this model's triangles are brought up to date.
+    template <HitMode M, class Counter>
+    HWY_INLINE Mask<N> comparable(uint32_t number, const Mask<N>& hit, Real<N>& t, Real<N>& best,
+                                  Search<N, M, Counter>& query) const {
+        const Mask<N> close = hit & (magnitude(t - best) <= doubtful_ * Real<N>(0x1p-6f));
+        if (!any(close)) return hit;
+        return compareInDouble(number, close.bits(), hit, t, best, query);
+    }
+
 private:
     /// Repeats the test in double for the given lanes.
     [[gnu::noinline]] void decideExactly(const Sheared<N>& sheared, uint32_t lanes,
@@ -73,31 +84,81 @@ private:
         t = Real<N>::load(result);
     }
 
+    /// A triangle's plane in double.
+    struct Plane {
+        explicit Plane(const Triangle& triangle) : point(triangle.v0) {
+            double e1[3], e2[3];
+            for (int k = 0; k < 3; ++k) {
+                e1[k] = double(triangle.v1[k]) - triangle.v0[k];
+                e2[k] = double(triangle.v2[k]) - triangle.v0[k];
+            }
+            for (int k = 0; k < 3; ++k) {
+                const int i = (k + 1) % 3, j = (k + 2) % 3;
+                n[k] = e1[i] * e2[j] - e1[j] * e2[i];
+            }
+        }
+        const float* point;
+        double n[3];
+    };
+
+    /// `otherwise` where the plane is seen edge-on.
+    double distance(const Plane& plane, int lane, double otherwise) const {
+        double depth = 0, slope = 0;
+        for (int k = 0; k < 3; ++k) {
+            depth += (double(plane.point[k]) - rays_.org[k][lane]) * plane.n[k];
+            slope += rays_.dir[k][lane] * plane.n[k];
+        }
+        return slope != 0 ? depth / slope : otherwise;
+    }
+
     /// Distances of the given lanes again in double: whether the surface lies before or behind
     /// the start of the ray must not be left to float, or surfaces shadow themselves.
     [[gnu::noinline]] void placeExactly(const Triangle& triangle, uint32_t lanes,
                                         Real<N>& t) const {
-        double e1[3], e2[3], n[3];
-        for (int k = 0; k < 3; ++k) {
-            e1[k] = double(triangle.v1[k]) - triangle.v0[k];
-            e2[k] = double(triangle.v2[k]) - triangle.v0[k];
-        }
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            n[k] = e1[i] * e2[j] - e1[j] * e2[i];
-        }
+        const Plane plane(triangle);
         alignas(64) float result[N];
         t.store(result);
         for (; lanes; lanes &= lanes - 1) {
             const int i = lowestBit(lanes);
-            double depth = 0, slope = 0;
-            for (int k = 0; k < 3; ++k) {
-                depth += (double(triangle.v0[k]) - rays_.org[k][i]) * n[k];
-                slope += rays_.dir[k][i] * n[k];
-            }
-            if (slope != 0) result[i] = float(depth / slope);
+            result[i] = float(distance(plane, i, result[i]));
         }
         t = Real<N>::load(result);
+    }
+
+    template <HitMode M, class Counter>
+    [[gnu::noinline]] Mask<N> compareInDouble(uint32_t number, uint32_t lanes, const Mask<N>& hit,
+                                              Real<N>& t, Real<N>& best,
+                                              Search<N, M, Counter>& query) const {
+        const Plane plane(triangles_[number]);
+        alignas(64) float distances[N], limits[N];
+        t.store(distances);
+        best.store(limits);
+        uint32_t open = hit.bits();
+        for (; lanes; lanes &= lanes - 1) {
+            const int i = lowestBit(lanes);
+            const uint32_t bit = 1u << i;
+            if (query.holds(number, i)) { // met in another leaf
+                open &= ~bit;
+                continue;
+            }
+            const double candidate = distance(plane, i, distances[i]);
+            if (query.triangle[i] == kNoHit) {
+                if (candidate > limits[i]) open &= ~bit;
+                distances[i] = float(candidate < limits[i] ? candidate : limits[i]);
+                continue;
+            }
+            if (!query.sharesModel(i)) continue;
+            open &= ~bit;
+            const Plane holder(triangles_[query.triangle[i]]);
+            const double stored = distance(holder, i, limits[i]);
+            if (candidate < query.tNear[i] || candidate > stored) continue;
+            if (candidate == stored && !query.precedes(number, i)) continue;
+            query.keepTriangle(Mask<N>::fromBits(bit), number);
+            limits[i] = float(candidate);
+        }
+        t = Real<N>::load(distances);
+        best = Real<N>::load(limits);
+        return Mask<N>::fromBits(open);
     }
 
     const Triangle* triangles_;

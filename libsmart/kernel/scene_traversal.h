@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include "libsmart/kernel/intersect.h"
 #include "libsmart/kernel/kd_traversal.h"
 #include "libsmart/kernel/precise.h"
 
@@ -111,6 +112,8 @@ private:
             Real<N> t;
             Mask<N> hit = precision.meet(triangle, active, t);
             if (!any(hit)) return;
+            if constexpr (std::is_same_v<Precision<N>, Watertight<N>>)
+                hit = precision.comparable(triangle, hit, t, best, query);
             hit = hit & (t >= Real<N>::load(query.tNear)) & (t <= best);
             if (!any(hit)) return;
             best = query.accept(hit, t, best, triangle);

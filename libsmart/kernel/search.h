@@ -75,12 +75,16 @@ struct alignas(64) Search {
         return candidate < triangle[lane];
     }
 
-    /// Whether the triangle at hand is the one stored for a lane.
-    bool holds(uint32_t candidate, int lane) const {
-        if (triangle[lane] != candidate || levels[lane] != currentLevels) return false;
+    /// Whether the triangle stored for a lane belongs to the model at hand, in the same place.
+    bool sharesModel(int lane) const {
+        if (levels[lane] != currentLevels) return false;
         for (uint32_t l = 0; l < currentLevels; ++l)
             if (currentPath[l] != path[l][lane]) return false;
         return true;
+    }
+    /// Whether the triangle at hand is the one stored for a lane.
+    bool holds(uint32_t candidate, int lane) const {
+        return triangle[lane] == candidate && sharesModel(lane);
     }
 
     /// Lanes, of those given, whose stored triangle stays at equal distance.

@@ -55,15 +55,18 @@ void expectNoAcneAndNoLeak(const std::vector<Triangle>& mesh, const char* name) 
     SCOPED_TRACE(name);
     const Scene scene({place(makeModel(mesh))}, Precision::Watertight, 1);
     const std::size_t count = rayCount(5000);
-    std::size_t shadowed = 0, escaped = 0;
-    for (const Hit& hit : traceAllWays(scene.view(), raysOffSurface(mesh, 1, count))) {
-        shadowed += hit.triangle != kNoHit;
+    const auto outward = raysOffSurface(mesh, 1, count), inward = raysOffSurface(mesh, -1, count);
+    for (const Precision precision : {Precision::Watertight, Precision::Precise}) {
+        std::size_t shadowed = 0, escaped = 0;
+        for (const Hit& hit : traceAllWays(scene.view(), outward, precision)) {
+            shadowed += hit.triangle != kNoHit;
+        }
+        for (const Hit& hit : traceAllWays(scene.view(), inward, precision)) {
+            escaped += hit.triangle == kNoHit;
+        }
+        EXPECT_EQ(shadowed, 0u) << "of " << count << " in mode " << int(precision);
+        EXPECT_EQ(escaped, 0u) << "of " << count << " in mode " << int(precision);
     }
-    for (const Hit& hit : traceAllWays(scene.view(), raysOffSurface(mesh, -1, count))) {
-        escaped += hit.triangle == kNoHit;
-    }
-    EXPECT_EQ(shadowed, 0u) << "of " << count;
-    EXPECT_EQ(escaped, 0u) << "of " << count;
 }
 
 TEST(SecondaryRays, NeitherShadowThemselvesNorLeakOnConvexMeshes) {
