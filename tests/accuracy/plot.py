@@ -72,21 +72,25 @@ class Picture:
         self.parts.append(f'<polyline points="{places}" fill="none" stroke="{colour}" '
                           'stroke-width="2"/>')
 
-    def dot(self, x, y, colour, hollow=False, note=""):
+    def dot(self, x, y, colour, hollow=False):
         fill = "#ffffff" if hollow else colour
-        self.parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{fill}" '
-                          f'stroke="{colour}" stroke-width="2"><title>{escape(note)}</title>'
-                          '</circle>')
+        self.parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5" fill="{fill}" '
+                          f'stroke="{colour}" stroke-width="2"/>')
 
-    def bar(self, x, y, width, height, colour, note=""):
+    def bar(self, x, y, width, height, colour):
         self.parts.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" '
-                          f'height="{max(height, 0):.1f}" fill="{colour}">'
-                          f'<title>{escape(note)}</title></rect>')
+                          f'height="{max(height, 0):.1f}" fill="{colour}"/>')
 
     def axis_x(self, ticks, label):
+        """Ticks too near to the one before them get no words."""
+        last = -math.inf
         for share, words in ticks:
             self.line(self.at_x(share), self.at_y(0), self.at_x(share), self.at_y(0) + 5, "#444444")
-            self.text(self.at_x(share), self.at_y(0) + 19, words, anchor="middle")
+            if self.at_x(share) - last < 40:
+                continue
+            last = self.at_x(share)
+            for row, part in enumerate(words.split("\n")):
+                self.text(last, self.at_y(0) + 19 + 14 * row, part, anchor="middle")
         self.line(self.at_x(0), self.at_y(0), self.at_x(1), self.at_y(0), "#444444")
         self.text(self.at_x(0.5), self.height - 14, label, size=13, anchor="middle")
 
@@ -186,7 +190,7 @@ def pareto(report, scene, out):
                    "million rays a second")
     for speed, lost, kind, form in points:
         picture.dot(picture.at_x(speed / top), picture.at_y(scale(lost)), COLOURS[kind],
-                    form == "single", f"{kind} {form}: {speed:.2f} Mrays/s, {lost:g} lost")
+                    form == "single")
     picture.legend([(kind, COLOURS[kind], False)
                     for kind in dict.fromkeys(p[2] for p in points)])
     picture.save(out / f"pareto-{scene.replace(':', '-')}.svg")
@@ -204,7 +208,7 @@ def cost(report, out):
     groups = []
     for scene, entry in report["speed"].items():
         for series in entry["series"]:
-            groups.append((f"{scene} {series['kind']}", relative_times(series)))
+            groups.append((f"{scene}\n{series['kind']}", relative_times(series)))
     if not groups:
         return
     threads = next(iter(report["speed"].values()))["series"][0]["threads"]
@@ -222,8 +226,7 @@ def cost(report, out):
         for place, (kind, time) in enumerate(times.items()):
             x = picture.left + number * slot + 0.1 * slot + place * width
             y = picture.at_y(time / top)
-            picture.bar(x, y, width - 1, picture.at_y(0) - y, COLOURS[kind],
-                        f"{name}, {kind}: {time:.2f}")
+            picture.bar(x, y, width - 1, picture.at_y(0) - y, COLOURS[kind])
     picture.axis_x([((i + 0.5) / len(groups), name) for i, (name, _) in enumerate(groups)], "")
     picture.line(picture.at_x(0), picture.at_y(1 / top), picture.at_x(1), picture.at_y(1 / top),
                  "#222222", 1, "4 3")
@@ -249,9 +252,8 @@ def curves(report, out, name, pattern, title, label, columns, what):
     picture = Picture(title, f"{what}; {counts[0]:,} to {counts[-1]:,} rays a point"
                       if counts[0] != counts[-1] else f"{what}; {counts[0]:,} rays a point")
     picture.axis_y(list(scale.ticks()), "of a million rays")
-    every = max(1, len(found) // 9)
     picture.axis_x([((math.log10(x) - low) / (high - low), f"1e{round(math.log10(x))}")
-                    for x, _ in found[::every]], label)
+                    for x, _ in found], label)
     for kind in kinds:
         places = []
         for x, case in found:
@@ -264,8 +266,8 @@ def curves(report, out, name, pattern, title, label, columns, what):
         shift = 3 * (kinds.index(kind) - len(kinds) / 2)
         places = [(x, y + (shift if value == 0 else 0), value) for x, y, value in places]
         picture.path([p[:2] for p in places], COLOURS[kind])
-        for x, y, value in places:
-            picture.dot(x, y, COLOURS[kind], note=f"{kind}: {value:g}")
+        for x, y, _ in places:
+            picture.dot(x, y, COLOURS[kind])
     picture.legend([(kind, COLOURS[kind], False) for kind in kinds])
     picture.save(out / f"{name}.svg")
 
