@@ -121,15 +121,15 @@ std::vector<Ray> obliqueRays(std::size_t count) {
 TEST(PreciseMode, OrdersLayersOneUlpApart) {
     const auto rays = obliqueRays(rayCount(200));
     for (const double tilt : {0.0, 0.25}) {
-        const TracedScene scene(layers(tilt, -0.5 * tilt), Precision::Fast);
+        const TracedScene scene(layers(tilt, -0.5 * tilt));
         checkPrecise(scene, rays, "layers");
-        const auto hitsOf = [&](Precision precision) {
-            return tracePackets(kernels(), precision, scene.view(), rays, Filling::Full);
-        };
-        // Watertight compares distances within a model in double, fast does not: the check must
-        // tell them apart.
-        EXPECT_EQ(compareAll(scene, rays, hitsOf(Precision::Watertight)).triangle, 0u);
-        EXPECT_GT(compareAll(scene, rays, hitsOf(Precision::Fast)).triangle, 0u);
+        // Watertight compares distances within a model in double.
+        auto hits =
+            tracePackets(kernels(), Precision::Watertight, scene.view(), rays, Filling::Full);
+        EXPECT_EQ(compareAll(scene, rays, hits).triangle, 0u);
+        // The check must find the layer next to the right one.
+        hits[7].triangle = (hits[7].triangle + 128) % (64 * 128);
+        EXPECT_EQ(compareAll(scene, rays, hits).triangle, 1u);
     }
 }
 
@@ -264,6 +264,30 @@ TEST(PreciseMode, ExtremeComponentsHitAsExact) {
         ray.tFar = random.below(2) ? INFINITY : std::abs(any());
     }
     EXPECT_GT(checkPrecise(TracedScene(mesh), rays, "extreme components").hits, rays.size() / 50);
+}
+
+TEST(PreciseMode, DoubleAndExactArithmeticAreRareAndCounted) {
+    const auto count = [](const TracedScene& scene, std::span<const Ray> rays) {
+        TraversalCounts counts;
+        HitPacket hits;
+        for (std::size_t i = 0; i < rays.size(); i += kPacketSize) {
+            kernels().intersectCounted[int(Precision::Precise)](scene.view(), packet(rays, i), hits,
+                                                                counts);
+        }
+        return counts;
+    };
+    const auto mesh = snapped(icosphere(3), 16);
+    const TracedScene scene(mesh);
+    const std::size_t size = rayCount(4000);
+    const auto interior = raysFromOutside(mesh, 1, size, Target::Interior, Aim::Normalised, 43);
+    const TraversalCounts usual = count(scene, interior);
+    EXPECT_LT(usual.doubles, size / 50);
+    EXPECT_LT(usual.exacts, size / 200);
+    // Through vertices exactly: several triangles at the same distance.
+    const auto vertices = raysFromOutside(mesh, 1, size, Target::Vertex, Aim::Exact, 44);
+    const TraversalCounts hard = count(scene, vertices);
+    EXPECT_GE(hard.exacts, size);
+    EXPECT_GE(hard.doubles, hard.exacts);
 }
 
 TEST(PreciseMode, AxisParallelRaysHitAsExact) {
