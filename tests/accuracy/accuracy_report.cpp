@@ -9,8 +9,8 @@ namespace smart::test {
 namespace {
 
 constexpr std::pair<const char*, Verdict> kColumns[] = {
-    {"miss", Verdict::Miss},   {"through", Verdict::Through}, {"slide", Verdict::Slide},
-    {"early", Verdict::Early}, {"order", Verdict::Order},     {"false", Verdict::False},
+    {"miss", Verdict::Miss},   {"through", Verdict::Through},    {"slide", Verdict::Slide},
+    {"early", Verdict::Early}, {"order", Verdict::Order},        {"false", Verdict::False},
     {"gross", Verdict::Gross}, {"wrongPrim", Verdict::WrongPrim}};
 
 const char* nameOf(Promise promise) {
@@ -49,9 +49,10 @@ nlohmann::json jsonOf(const SceneSpeed& speed) {
                            {"doubleTests", speed.doubleTests},
                            {"exactTests", speed.exactTests}};
     for (const bench::Series& series : speed.series) {
-        nlohmann::json entry = {{"kind", series.kind == bench::Kind::Primary ? "primary" : "shadow"},
-                                {"threads", series.threads},
-                                {"rays", series.rays}};
+        nlohmann::json entry = {
+            {"kind", series.kind == bench::Kind::Primary ? "primary" : "shadow"},
+            {"threads", series.threads},
+            {"rays", series.rays}};
         for (const bench::Result& result : series.results) {
             entry["engines"].push_back({{"engine", result.engine},
                                         {"mraysPerSecond", result.median()},
@@ -82,8 +83,7 @@ nlohmann::json AccuracyReport::json() const {
                                 {"triangles", result.triangles},
                                 {"watertightPromise", nameOf(result.promise)},
                                 {"seconds", result.seconds}};
-        for (const EngineTally& engine : result.engines)
-            entry["engines"].push_back(jsonOf(engine));
+        for (const EngineTally& engine : result.engines) entry["engines"].push_back(jsonOf(engine));
         for (const Identity& identity : result.identities) {
             entry["identity"].push_back({{"mode", identity.mode},
                                          {"variants", identity.variants},
@@ -110,7 +110,9 @@ void AccuracyReport::printTable(std::ostream& out) const {
     for (const CaseResult& result : cases) {
         for (const EngineTally& entry : result.engines) {
             const VerdictCounts& c = entry.tally.counts;
-            const auto rate = [&](std::size_t count) { return 1e6 * double(count) / double(c.rays); };
+            const auto rate = [&](std::size_t count) {
+                return 1e6 * double(count) / double(c.rays);
+            };
             print(out, "%-20s %-22s %9zu %8.6g %8.6g %8.6g %8.6g %8.6g %8.6g %8.6g %9.4g %9.4g",
                   result.name.c_str(), entry.engine.c_str(), c.rays, rate(c.lost()),
                   rate(c[Verdict::Slide]), rate(c[Verdict::Early]), rate(c[Verdict::Order]),

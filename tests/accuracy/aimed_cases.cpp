@@ -96,8 +96,7 @@ std::vector<Ray> aimedRays(const Mapped& mapped, const Aimed& how, std::size_t c
             }
             return p;
         };
-        const double distance =
-            how.inside ? 0.5 * random.unit() : random.between(1.5, 3);
+        const double distance = how.inside ? 0.5 * random.unit() : random.between(1.5, 3);
         Point origin = random.onSphere();
         if (!how.inside) {
             const Point sight = onTriangle(mapped.shape[number]);
@@ -115,8 +114,8 @@ std::vector<Ray> aimedRays(const Mapped& mapped, const Aimed& how, std::size_t c
                 x = std::ldexp(std::nearbyint(std::ldexp(x, how.gridBits)), -how.gridBits);
         }
         const Point point = onTriangle(mapped.mesh[number]);
-        Ray ray = makeRay(origin.data(), point.data(),
-                          how.aim == Aim::Exact ? Aim::Rounded : how.aim);
+        Ray ray =
+            makeRay(origin.data(), point.data(), how.aim == Aim::Exact ? Aim::Rounded : how.aim);
         for (float& x : ray.dir) x = std::ldexp(x, how.directionExponent);
         rays.push_back(ray);
     }
@@ -173,8 +172,8 @@ std::vector<Triangle> bumps(double height) {
     std::vector<Triangle> mesh = bumpySphere(5000);
     for (Triangle& triangle : mesh) {
         for (float* v : {triangle.v0, triangle.v1, triangle.v2}) {
-            const double radius = std::sqrt(double(v[0]) * v[0] + double(v[1]) * v[1] +
-                                            double(v[2]) * v[2]);
+            const double radius =
+                std::sqrt(double(v[0]) * v[0] + double(v[1]) * v[1] + double(v[2]) * v[2]);
             const double wanted = 1 + height * (radius - 1);
             for (int k = 0; k < 3; ++k) v[k] = float(v[k] * wanted / radius);
         }
@@ -219,8 +218,8 @@ std::vector<NamedCase> aimedCases() {
                          int snapBits = 0, Promise promise = Promise::NothingLost,
                          double share = 1) {
         cases.push_back({name, [=] {
-                             HardCase made = aimedCase(Mapped(icosphere(level), map, snapBits),
-                                                       how, promise);
+                             HardCase made =
+                                 aimedCase(Mapped(icosphere(level), map, snapBits), how, promise);
                              made.share = share;
                              return made;
                          }});
@@ -245,12 +244,12 @@ std::vector<NamedCase> aimedCases() {
     coarse.gridBits = 9;
     add("H1-off1024-exact", 3, Affine::scale(1, {1024, -512, 768}), coarse, 9);
     for (const int k : {-12, -9, -6, -3, 0, 3, 6, 9, 12}) {
-        add("H1-scale" + power(k), 3, Affine::scale(std::pow(10.0, k)), rounded, 0,
-            Promise::Right, 0.3);
+        add("H1-scale" + power(k), 3, Affine::scale(std::pow(10.0, k)), rounded, 0, Promise::Right,
+            0.3);
     }
     for (const int k : {-40, -30, 30, 37}) { // where float products leave the range, or denormal
-        add("H1-scale" + power(k), 3, Affine::scale(std::pow(10.0, k)), rounded, 0,
-            Promise::None, 0.03);
+        add("H1-scale" + power(k), 3, Affine::scale(std::pow(10.0, k)), rounded, 0, Promise::None,
+            0.03);
     }
     for (const int k : {1, 2, 3, 4, 5, 6}) {
         add("H1-needle" + power(k), 4, Affine::stretch(std::pow(10.0, k)), rounded, 0,

@@ -104,7 +104,8 @@ HardCase brokenCase(Broken kind) {
     result.promise = Promise::Right;
     result.share = 0.2;
     result.rays = [clean](std::size_t count, uint64_t seed) {
-        std::vector<Ray> rays = raysFromOutside(clean, 1, count / 2, Target::Vertex, Aim::Exact, seed);
+        std::vector<Ray> rays =
+            raysFromOutside(clean, 1, count / 2, Target::Vertex, Aim::Exact, seed);
         const auto edges =
             raysFromOutside(clean, 1, count - rays.size(), Target::Edge, Aim::Exact, seed + 1);
         rays.insert(rays.end(), edges.begin(), edges.end());

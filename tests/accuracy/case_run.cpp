@@ -50,9 +50,9 @@ CaseResult runCase(const NamedCase& named, const std::vector<EngineKind>& kinds,
         if (kind.aborts && made.abortsPeers) continue;
         EnginePtr engine = kind.make(made.geometry);
         if (!engine) continue;
-        const std::size_t most =
-            kind.bruteForce ? std::max<std::size_t>(1, size.bruteTests / result.triangles)
-                            : rayCount;
+        const std::size_t most = kind.bruteForce
+                                     ? std::max<std::size_t>(1, size.bruteTests / result.triangles)
+                                     : rayCount;
         engines.push_back({std::move(engine), std::min(most, rayCount)});
         result.engines.push_back({kind.name, kind.mode, {}});
         if (kind.mode < 0 || size.identityRays == 0) continue;
@@ -71,8 +71,7 @@ CaseResult runCase(const NamedCase& named, const std::vector<EngineKind>& kinds,
             const std::size_t first = next.fetch_add(kChunk);
             if (first >= rayCount) break;
             const std::size_t count = std::min(kChunk, rayCount - first);
-            const std::vector<Ray> rays =
-                made.rays(count, size.seed * 0x9E3779B97F4A7C15u + first);
+            const std::vector<Ray> rays = made.rays(count, size.seed * 0x9E3779B97F4A7C15u + first);
             for (std::size_t i = 0; i < count; ++i) truths[i] = scene.nearest(rays[i]);
             for (std::size_t e = 0; e < engines.size(); ++e) {
                 if (first >= engines[e].most) continue;

@@ -103,8 +103,7 @@ public:
             work.hit.geomID = work.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
             rtcIntersect1(scene_.scene(), &context, &work);
             const RTCHit& hit = work.hit;
-            *claims++ =
-                scene_.claim(hit.geomID, hit.primID, hit.instID[0], r.tfar, hit.u, hit.v);
+            *claims++ = scene_.claim(hit.geomID, hit.primID, hit.instID[0], r.tfar, hit.u, hit.v);
         }
     }
 
@@ -135,8 +134,8 @@ public:
             rtcIntersect16(valid, scene_.scene(), &context, &work);
             const RTCHit16& hit = work.hit;
             for (std::size_t i = 0; i < count; ++i) {
-                *claims++ = scene_.claim(hit.geomID[i], hit.primID[i], hit.instID[0][i],
-                                         r.tfar[i], hit.u[i], hit.v[i]);
+                *claims++ = scene_.claim(hit.geomID[i], hit.primID[i], hit.instID[0][i], r.tfar[i],
+                                         hit.u[i], hit.v[i]);
             }
         }
     }
@@ -172,8 +171,12 @@ std::string embreeVersion() {
 
 #else
 
-std::vector<EngineKind> embreeKinds() { return {}; }
-std::string embreeVersion() { return ""; }
+std::vector<EngineKind> embreeKinds() {
+    return {};
+}
+std::string embreeVersion() {
+    return "";
+}
 
 #endif
 

@@ -44,7 +44,7 @@ struct HardCase {
     /// Any number of rays; equal seeds give equal rays.
     std::function<std::vector<Ray>(std::size_t count, uint64_t seed)> rays;
     Promise promise = Promise::NothingLost;
-    double share = 0.1;               ///< of the number of rays asked for
+    double share = 0.1; ///< of the number of rays asked for
     std::size_t most = std::size_t(-1);
     bool abortsPeers = false; ///< Embree as Debian builds it stops the process
 };
@@ -59,10 +59,10 @@ struct NamedCase {
 std::vector<NamedCase> hardCases(uint32_t crowd = 100000);
 
 // The parts of hardCases().
-std::vector<NamedCase> aimedCases();    ///< H1, H2, H11-dir: at vertices and edges of closed meshes
-std::vector<NamedCase> alignedCases();  ///< H3, H4, H5: planes, zero components, bad triangles
+std::vector<NamedCase> aimedCases();   ///< H1, H2, H11-dir: at vertices and edges of closed meshes
+std::vector<NamedCase> alignedCases(); ///< H3, H4, H5: planes, zero components, bad triangles
 std::vector<NamedCase> crowdedCases(uint32_t crowd); ///< H6, H7: many triangles in one place
-std::vector<NamedCase> placedCases();   ///< H10: instances
-std::vector<NamedCase> limitCases();    ///< H8, H11-range, H12: distances, ranges, grazing rays
+std::vector<NamedCase> placedCases();                ///< H10: instances
+std::vector<NamedCase> limitCases(); ///< H8, H11-range, H12: distances, ranges, grazing rays
 
 } // namespace smart::test

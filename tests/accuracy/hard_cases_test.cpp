@@ -51,8 +51,8 @@ TEST(PlantedDefects, AreFound) {
     for (const NamedCase& named : hardCases()) {
         if (named.name != "H1-exact-edge" && named.name != "H1-round-ico3") continue;
         for (const EngineTally& entry : runCase(named, kinds, small(3000)).engines) {
-            std::cout << "    " << named.name << ' ' << entry.engine << ": "
-                      << entry.tally.counts << '\n';
+            std::cout << "    " << named.name << ' ' << entry.engine << ": " << entry.tally.counts
+                      << '\n';
             if (entry.engine == "woop") {
                 EXPECT_EQ(entry.tally.counts.lost(), 0u);
             } else {

@@ -42,8 +42,8 @@ Results trace(const std::vector<Triangle>& mesh, const glm::dmat4x3& matrix, Pre
     in.tFar = &rays[0].tFar;
     in.stride = kFloats;
     const std::size_t count = rays.size();
-    Results results{std::vector<float>(count), std::vector<float>(count),
-                    std::vector<float>(count), std::vector<uint32_t>(count),
+    Results results{std::vector<float>(count),    std::vector<float>(count),
+                    std::vector<float>(count),    std::vector<uint32_t>(count),
                     std::vector<uint32_t>(count), std::vector<uint8_t>(count)};
     HitStream out{};
     out.t = results.t.data();
@@ -74,8 +74,8 @@ protected:
         std::fegetenv(&found_);
         for (const float scale : {1.0f, kTiny}) {
             meshes_.push_back(scaled(icosphere(2), scale));
-            rays_.push_back(raysFromOutside(meshes_.back(), scale, 500, Target::Edge,
-                                            Aim::Rounded, 1));
+            rays_.push_back(
+                raysFromOutside(meshes_.back(), scale, 500, Target::Edge, Aim::Rounded, 1));
             // Directions of denormals have few bits; half are made long.
             for (std::size_t i = 0; i < rays_.back().size() && scale < 1; i += 2) {
                 for (float& x : rays_.back()[i].dir) x *= 0x1p100f;
@@ -176,9 +176,9 @@ TEST_P(BadNumbers, InMatricesLeaveOtherInstancesAlone) {
     const Scene scene(std::move(instances), precision, 1);
     EXPECT_EQ(statistics(scene).droppedInstances, dropped);
     auto hits = traceSingles(kernels(), precision, scene.view(), rays);
-    EXPECT_EQ(differences(
-                  tracePackets(kernels(), precision, scene.view(), rays, Filling::Full), hits),
-              0u);
+    EXPECT_EQ(
+        differences(tracePackets(kernels(), precision, scene.view(), rays, Filling::Full), hits),
+        0u);
     for (Hit& hit : hits) {
         if (hit.triangle == kNoHit) continue;
         EXPECT_EQ(hit.path[0], dropped);
@@ -193,8 +193,7 @@ TEST_P(BadNumbers, InRaysLeaveOtherLanesAlone) {
     const auto precision = Precision(GetParam());
     const std::vector<Triangle> mesh = icosphere(2);
     const Scene scene({place(makeModel(mesh))}, precision, 1);
-    const std::vector<Ray> good =
-        raysFromOutside(mesh, 1, 512, Target::Edge, Aim::Rounded, 3);
+    const std::vector<Ray> good = raysFromOutside(mesh, 1, 512, Target::Edge, Aim::Rounded, 3);
     const auto expected = traceSingles(kernels(), precision, scene.view(), good);
     const float bad[] = {NAN, INFINITY, -INFINITY, -NAN};
     Random random(4);
@@ -208,11 +207,9 @@ TEST_P(BadNumbers, InRaysLeaveOtherLanesAlone) {
         if (random.below(4) == 0) rays[i].tFar = NAN;
     }
     for (const KernelTable* table : availableKernels()) {
-        const auto packets =
-            tracePackets(*table, precision, scene.view(), rays, Filling::Full);
+        const auto packets = tracePackets(*table, precision, scene.view(), rays, Filling::Full);
         const auto singles = traceSingles(*table, precision, scene.view(), rays);
-        const auto blocked =
-            blockedPackets(*table, precision, scene.view(), rays, Filling::Full);
+        const auto blocked = blockedPackets(*table, precision, scene.view(), rays, Filling::Full);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const bool spoilt = i % 2 == 0;
             ASSERT_TRUE(spoilt ? packets[i].triangle == kNoHit : sameHit(packets[i], expected[i]));

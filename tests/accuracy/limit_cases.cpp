@@ -49,21 +49,51 @@ constexpr float kInf = INFINITY;
 void restrict(int kind, Ray& ray, uint32_t axis) {
     const float below = std::nextafter(1.0f, 0.0f), above = std::nextafter(1.0f, 2.0f);
     switch (kind) {
-        case 0: ray.tFar = 1; break;
-        case 1: ray.tFar = below; break;
-        case 2: ray.tNear = ray.tFar = 1; break;
-        case 3: ray.tNear = 1.25f, ray.tFar = 1.75f; break;
-        case 4: ray.tNear = 1.75f, ray.tFar = 1.25f; break;
-        case 5: ray.tNear = NAN; break;
-        case 6: ray.tFar = NAN; break;
-        case 7: ray.dir[0] = ray.dir[1] = ray.dir[2] = 0; break;
-        case 8: ray.dir[axis] = kInf; break;
-        case 9: ray.dir[axis] = NAN; break;
-        case 10: ray.org[axis] = NAN; break;
-        case 11: ray.org[axis] = -kInf; break;
-        case 12: ray.tNear = -kInf, ray.tFar = 0; break;
-        case 13: ray.tNear = below, ray.tFar = above; break;
-        default: ray.tFar = -1; break;
+        case 0:
+            ray.tFar = 1;
+            break;
+        case 1:
+            ray.tFar = below;
+            break;
+        case 2:
+            ray.tNear = ray.tFar = 1;
+            break;
+        case 3:
+            ray.tNear = 1.25f, ray.tFar = 1.75f;
+            break;
+        case 4:
+            ray.tNear = 1.75f, ray.tFar = 1.25f;
+            break;
+        case 5:
+            ray.tNear = NAN;
+            break;
+        case 6:
+            ray.tFar = NAN;
+            break;
+        case 7:
+            ray.dir[0] = ray.dir[1] = ray.dir[2] = 0;
+            break;
+        case 8:
+            ray.dir[axis] = kInf;
+            break;
+        case 9:
+            ray.dir[axis] = NAN;
+            break;
+        case 10:
+            ray.org[axis] = NAN;
+            break;
+        case 11:
+            ray.org[axis] = -kInf;
+            break;
+        case 12:
+            ray.tNear = -kInf, ray.tFar = 0;
+            break;
+        case 13:
+            ray.tNear = below, ray.tFar = above;
+            break;
+        default:
+            ray.tFar = -1;
+            break;
     }
 }
 
@@ -154,9 +184,9 @@ HardCase grazingCase(double angle, bool closed) {
             const Point target = onPlane(x, y, 0);
             const double turn = random.between(0, 6.283185307179586);
             const double distance = random.between(0.5, 2);
-            const Point origin =
-                onPlane(x - distance * std::cos(angle) * std::cos(turn),
-                        y - distance * std::cos(angle) * std::sin(turn), distance * std::sin(angle));
+            const Point origin = onPlane(x - distance * std::cos(angle) * std::cos(turn),
+                                         y - distance * std::cos(angle) * std::sin(turn),
+                                         distance * std::sin(angle));
             rays.push_back(makeRay(origin.data(), target.data(), Aim::Normalised));
         }
         return rays;
@@ -167,11 +197,10 @@ HardCase grazingCase(double angle, bool closed) {
 } // namespace
 
 std::vector<NamedCase> limitCases() {
-    std::vector<NamedCase> cases = {
-        {"H8-near", [] { return scatteredCase(0.2, 1); }},
-        {"H8-far1e3", [] { return scatteredCase(0.2, 1e3); }},
-        {"H8-small", [] { return scatteredCase(1e-3, 1); }},
-        {"H8-small-far1e3", [] { return scatteredCase(1e-3, 1e3); }}};
+    std::vector<NamedCase> cases = {{"H8-near", [] { return scatteredCase(0.2, 1); }},
+                                    {"H8-far1e3", [] { return scatteredCase(0.2, 1e3); }},
+                                    {"H8-small", [] { return scatteredCase(1e-3, 1); }},
+                                    {"H8-small-far1e3", [] { return scatteredCase(1e-3, 1e3); }}};
     for (int kind = 0; kind < 15; ++kind) {
         cases.push_back({"H11-range" + std::to_string(kind), [=] { return rangeCase(kind); }});
     }

@@ -143,8 +143,9 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     smart::test::Options options;
-    CLI::App app("Judges engines by exact arithmetic in the hard cases H1 to H12, and measures what "
-                 "each mode costs. Exit code 3: a mode of the library broke a promise.");
+    CLI::App app(
+        "Judges engines by exact arithmetic in the hard cases H1 to H12, and measures what "
+        "each mode costs. Exit code 3: a mode of the library broke a promise.");
     auto& size = options.size;
     size.threads = std::max(1u, std::thread::hardware_concurrency());
     app.add_option("--rays", size.rays, "rays of the largest cases; others get their share")
@@ -164,7 +165,8 @@ int main(int argc, char** argv) {
     app.add_option("--scene", options.scenes, "also measure speeds on a .tri file or generated:N")
         ->delimiter(',');
     app.add_option("--cameras", options.cameras, "file of views: name and 13 numbers a line");
-    app.add_option("--name", options.name, "which line of --cameras; the scene's name if not given");
+    app.add_option("--name", options.name,
+                   "which line of --cameras; the scene's name if not given");
     app.add_option("--camera", options.camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
         ->delimiter(',')
         ->expected(10);

@@ -40,8 +40,7 @@ Matrix34 placed(double angle, const Point& scale, const Point& offset) {
 Point moved(const Matrix34& m, const Point& p) {
     Point result;
     for (std::size_t k = 0; k < 3; ++k) {
-        result[k] =
-            m[4 * k] * p[0] + m[4 * k + 1] * p[1] + m[4 * k + 2] * p[2] + m[4 * k + 3];
+        result[k] = m[4 * k] * p[0] + m[4 * k + 1] * p[1] + m[4 * k + 2] * p[2] + m[4 * k + 3];
     }
     return result;
 }

@@ -176,7 +176,7 @@ def pareto(report, scene, out):
         kind, form = entry["engine"].rsplit(" ", 1)
         errors = engine_of(case, kind)
         if errors:
-            points.append((entry["mraysPerSecond"], per_million(errors, "miss", "through"), kind,
+            points.append((speed(entry), per_million(errors, "miss", "through"), kind,
                            form))
     picture = Picture(f"Speed against lost rays: {scene}",
                       f"right and low is better; speed of primary rays, {series['threads']} "
@@ -188,19 +188,24 @@ def pareto(report, scene, out):
     picture.axis_y(list(scale.ticks()), f"lost of a million rays ({PARETO_CASE})")
     picture.axis_x([(i * step / top, f"{i * step:g}") for i in range(round(top / step) + 1)],
                    "million rays a second")
-    for speed, lost, kind, form in points:
-        picture.dot(picture.at_x(speed / top), picture.at_y(scale(lost)), COLOURS[kind],
+    for rate, lost, kind, form in points:
+        picture.dot(picture.at_x(rate / top), picture.at_y(scale(lost)), COLOURS[kind],
                     form == "single")
     picture.legend([(kind, COLOURS[kind], False)
                     for kind in dict.fromkeys(p[2] for p in points)])
     picture.save(out / f"pareto-{scene.replace(':', '-')}.svg")
 
 
+def speed(result):
+    """The best repeat: what disturbs a measurement makes it slower."""
+    return max(result["repeats"])
+
+
 def relative_times(series):
     """Time a ray relative to the fast mode's, packets, by engine."""
-    speeds = {e["engine"]: e["mraysPerSecond"] for e in series["engines"]}
+    speeds = {e["engine"]: speed(e) for e in series["engines"]}
     fast = speeds["openrt-fast packet"]
-    return {name.rsplit(" ", 1)[0]: fast / speed for name, speed in speeds.items()
+    return {name.rsplit(" ", 1)[0]: fast / own for name, own in speeds.items()
             if name.endswith(" packet")}
 
 
@@ -278,53 +283,85 @@ def number(value):
     return f"{value:,.0f}" if value >= 10 else f"{value:.3g}"
 
 
+def case_order(name):
+    family, rest = re.fullmatch(r"H(\d+)-(.*)", name).groups()
+    return int(family), "" if family == "1" else rest
+
+
 def tables(report, file):
-    """Markdown: lost rays of all engines, all errors of our upper modes, H9, speeds."""
-    kinds = list(dict.fromkeys(e["engine"] for c in report["cases"].values()
-                               for e in c.get("engines", [])))
-    print("Lost (miss + through) of a million rays\n", file=file)
-    print("| case | rays | " + " | ".join(kinds) + " |", file=file)
-    print("| --- |" + " ---: |" * (len(kinds) + 1), file=file)
-    for case in report["cases"].values():
-        cells = []
-        for kind in kinds:
-            engine = engine_of(case, kind)
-            cells.append(number(per_million(engine, "miss", "through")) if engine else "")
-        rays = max(e["rays"] for e in case["engines"])
-        print(f"| {case['case']} | {rays:,} | " + " | ".join(cells) + " |", file=file)
+    """Markdown: lost rays of all engines, all errors engine by engine, H9, speeds."""
+    cases = sorted(report["cases"].values(), key=lambda case: case_order(case["case"]))
+    kinds = list(dict.fromkeys(e["engine"] for c in cases for e in c["engines"]
+                               if not e["engine"].startswith("defect-")))
+
+    def out(*cells):
+        print("| " + " | ".join(str(cell) for cell in cells) + " |", file=file)
+
+    def head(*cells, words=1):
+        out(*cells)
+        print("|" + " --- |" * words + " ---: |" * (len(cells) - words), file=file)
+
+    def title(words):
+        print(f"\n## {words}\n", file=file)
+
+    print(f"# Figures behind precision.md\n\nMade by `tests/accuracy/plot.py`; {report['isa']}"
+          + (f", Embree {report['embree']}" if report["embree"] else "") + ".", file=file)
+    if cases:
+        title("Lost (miss + through) of a million rays")
+        head("case", "rays", *kinds)
+        idle = []
+        for case in cases:
+            engines = [engine_of(case, kind) for kind in kinds]
+            if not any(e and e["lost"] for e in engines):
+                idle.append(case["case"])
+                continue
+            out(case["case"], f"{max(e['rays'] for e in case['engines']):,}",
+                *[number(per_million(e, "lost")) if e else "" for e in engines])
+        print("\nEngines that ask every triangle got fewer rays. Nobody lost a ray in: "
+              + ", ".join(idle) + ".", file=file)
     columns = ("slide", "early", "order", "false", "gross", "wrongPrim")
     for kind in kinds:
-        print(f"\n{kind}: other verdicts of a million rays, and errors\n", file=file)
-        print("| case | " + " | ".join(columns) + " | t max ulp | t mean ulp | u, v max 2^-24 |",
-              file=file)
-        print("| --- |" + " ---: |" * (len(columns) + 3), file=file)
-        for case in report["cases"].values():
+        title(f"{kind}: other verdicts of a million rays, and errors")
+        head("case", *columns, "t max ulp", "t mean ulp", "u, v max 2^-24")
+        for case in cases:
             engine = engine_of(case, kind)
             if engine and (any(engine[c] for c in columns) or engine["tMaxUlp"] > 0.5):
-                print(f"| {case['case']} | "
-                      + " | ".join(number(per_million(engine, c)) for c in columns)
-                      + f" | {engine['tMaxUlp']:.4g} | {engine['tMeanUlp']:.3g} | "
-                      f"{engine['uvMax2e-24']:.4g} |", file=file)
-    print("\n| H9 scene | engine | rays a side | own surface | leaks |", file=file)
-    print("| --- | --- | ---: | ---: | ---: |", file=file)
-    for entry in report["secondary"].values():
-        print(f"| {entry['scene']} | {entry['engine']} | {entry['rays']:,} | {entry['acne']} | "
-              f"{entry['leaks']} |", file=file)
-    print("\n| scene | rays | engine | Mrays/s | time relative to openrt-fast |", file=file)
-    print("| --- | --- | --- | ---: | ---: |", file=file)
+                out(case["case"], *[number(per_million(engine, c)) for c in columns],
+                    f"{engine['tMaxUlp']:.4g}", f"{engine['tMeanUlp']:.3g}",
+                    f"{engine['uvMax2e-24']:.4g}")
+    if cases:
+        title("The same bits in all instruction sets, packets and single rays")
+        head("mode", "variants", "rays", "rays that differ")
+        sums = {}
+        for case in cases:
+            for entry in case.get("identity", []):
+                total = sums.setdefault((entry["mode"], entry["variants"]), [0, 0])
+                total[0] += entry["rays"]
+                total[1] += entry["differing"]
+        for (mode, variants), (rays, differing) in sums.items():
+            out(mode, variants, f"{rays:,}", differing)
+    if report["secondary"]:
+        title("H9: rays that leave a surface")
+        head("scene", "engine", "rays a side", "own surface", "leaks", words=2)
+        for entry in report["secondary"].values():
+            if not entry["engine"].startswith("defect-"):
+                out(entry["scene"], entry["engine"], f"{entry['rays']:,}", entry["acne"],
+                    entry["leaks"])
     for scene, entry in report["speed"].items():
+        title(f"Speed: {scene}, {entry['triangles']:,} triangles, "
+              f"{entry['series'][0]['threads']} thread(s)")
+        head("rays", "engine", "Mrays/s", "time relative to openrt-fast", words=2)
         for series in entry["series"]:
             times = relative_times(series)
             for result in series["engines"]:
                 kind, form = result["engine"].rsplit(" ", 1)
-                relative = f"{times[kind]:.2f}" if form == "packet" else ""
-                print(f"| {scene} | {series['kind']} | {result['engine']} | "
-                      f"{result['mraysPerSecond']:.2f} | {relative} |", file=file)
+                out(series["kind"], result["engine"], f"{speed(result):.2f}",
+                    f"{times[kind]:.2f}" if form == "packet" else "")
         rays = entry["series"][0]["rays"]
-        tests = 16 * entry["triangleTestsOfPackets"]
-        print(f"\n{scene}: precise mode, {entry['doubleTests'] / rays:.5f} tests a ray repeated "
-              f"in double ({entry['doubleTests'] / max(tests, 1):.2e} of all), "
-              f"{entry['exactTests'] / rays:.7f} a ray in exact arithmetic\n", file=file)
+        share = entry["doubleTests"] / max(16 * entry["triangleTestsOfPackets"], 1)
+        print(f"\nPrecise mode, primary rays: {entry['doubleTests'] / rays:.5f} tests a ray are "
+              f"repeated in double ({share:.1e} of all lanes of all tests), "
+              f"{entry['exactTests'] / rays:.7f} a ray reach exact arithmetic.", file=file)
 
 
 def main():

@@ -62,8 +62,8 @@ SceneSpeed measureScene(const SpeedOptions& options) {
         if (mode == int(Precision::Precise)) precise = scene;
         auto made = bench::openrtEngines(scene, Precision(mode), false);
         for (std::size_t form = 0; form < 2; ++form) { // packets and single rays
-            const std::string name = std::string("openrt-") + modeName(mode) +
-                                     (form == 0 ? " packet" : " single");
+            const std::string name =
+                std::string("openrt-") + modeName(mode) + (form == 0 ? " packet" : " single");
             engines.push_back(std::make_unique<Named>(std::move(made[form]), name));
         }
     }

@@ -18,9 +18,9 @@ struct SceneSpeed {
 };
 
 struct SpeedOptions {
-    std::string scene;            ///< a .tri file, or generated:N
+    std::string scene; ///< a .tri file, or generated:N
     bench::View view;
-    uint32_t size = 512;          ///< width and height in pixels
+    uint32_t size = 512; ///< width and height in pixels
     unsigned threads = 1, repeat = 5;
     bool embree = true;
 };

@@ -47,8 +47,9 @@ Geometry build(const SphereScene& scene) {
             mesh.push_back(triangle);
         }
     }
-    const Matrix34 matrix = {scene.scale, 0, 0, 0.577 * scene.offset, 0, scene.scale, 0,
-                             -0.59 * scene.offset, 0, 0, scene.scale, 0.565 * scene.offset};
+    const Matrix34 matrix = {scene.scale, 0,           0,           0.577 * scene.offset,
+                             0,           scene.scale, 0,           -0.59 * scene.offset,
+                             0,           0,           scene.scale, 0.565 * scene.offset};
     if (scene.instanced) {
         Geometry result;
         result.meshes.push_back(std::move(mesh));
@@ -94,8 +95,7 @@ public:
         std::vector<Ray> first;
         while (first.size() < count) {
             Point origin = random.onSphere(), target = random.onSphere();
-            const double distance =
-                first.size() % 2 ? 0.5 * random.unit() : random.between(1.5, 3);
+            const double distance = first.size() % 2 ? 0.5 * random.unit() : random.between(1.5, 3);
             if (first.size() % 2 == 0 && inner(origin.data(), target.data()) < 1 / distance + 0.1)
                 continue;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -171,8 +171,8 @@ private:
 
 } // namespace
 
-void Engine::leaveSurface(const Ray&, const Claim&, const double point[3],
-                          const double normal[3], Ray& ray) const {
+void Engine::leaveSurface(const Ray&, const Claim&, const double point[3], const double normal[3],
+                          Ray& ray) const {
     double along = 0, largest = 0;
     for (int k = 0; k < 3; ++k) {
         along += normal[k] * ray.dir[k];

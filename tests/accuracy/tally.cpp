@@ -12,7 +12,9 @@ void Tally::add(const ExactScene& scene, const Truth& truth, const Ray& ray, con
     ++counts.of[std::size_t(verdict)];
     if (claim.triangle == kNoHit) return;
     ++counts.hits;
-    const auto names = [&](const Crossing& crossing) { return crossing.triangle == claim.triangle; };
+    const auto names = [&](const Crossing& crossing) {
+        return crossing.triangle == claim.triangle;
+    };
     const bool exact = std::any_of(truth.nearest.begin(), truth.nearest.end(), names) ||
                        std::any_of(truth.touches.begin(), truth.touches.end(), names);
     const bool real = claim.triangle < scene.reference().count() && std::isfinite(claim.t) &&

@@ -116,7 +116,9 @@ ExactScene::ExactScene(const ExactReference& reference)
 }
 
 void ExactScene::build(uint32_t node, uint32_t first, uint32_t last) {
-    Node box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}, first,
+    Node box{{kInfinity, kInfinity, kInfinity},
+             {-kInfinity, -kInfinity, -kInfinity},
+             first,
              last - first};
     double lo[3] = {kInfinity, kInfinity, kInfinity}, hi[3] = {-kInfinity, -kInfinity, -kInfinity};
     const auto centre = [&](uint32_t triangle, std::size_t k) {
@@ -229,14 +231,12 @@ bool ExactScene::crosses(uint32_t triangle, const Ray& ray, Crossing& crossing) 
     if (!positive && !negative) return false; // along the plane
     crossing.facing = positive ? 1 : -1;
     const double sum = f.w[0] + f.w[1] + f.w[2]; // all of one sign: no cancellation
-    const double bound =
-        f.wBound[0] + f.wBound[1] + f.wBound[2] + std::abs(sum) * 0x1p-51;
+    const double bound = f.wBound[0] + f.wBound[1] + f.wBound[2] + std::abs(sum) * 0x1p-51;
     crossing.t = f.volume / sum;
     const double least = std::abs(sum) - bound;
-    crossing.error = least > 0
-                         ? (f.volumeBound + std::abs(crossing.t) * bound) / least * 1.001 +
-                               std::abs(crossing.t) * 0x1p-52
-                         : kInfinity;
+    crossing.error = least > 0 ? (f.volumeBound + std::abs(crossing.t) * bound) / least * 1.001 +
+                                     std::abs(crossing.t) * 0x1p-52
+                               : kInfinity;
     return true;
 }
 
@@ -356,8 +356,8 @@ ClaimErrors ExactScene::errors(const Ray& ray, const Claim& claim) const {
     };
     const auto units24 = [](double) { return 0x1p-24; };
     ClaimErrors errors{};
-    errors.t = error(claim.t, f.volume, f.volumeBound, ulpAt,
-                     [](const Exact& e) { return e.volume(); });
+    errors.t =
+        error(claim.t, f.volume, f.volumeBound, ulpAt, [](const Exact& e) { return e.volume(); });
     const float claimed[2] = {claim.u, claim.v};
     for (int k = 0; k < 2; ++k) {
         const auto weight = [&](const Exact& e) { return e.weight(k + 1); };

@@ -25,9 +25,9 @@ struct Truth {
 
 /// How far a claim is from the exact values at the triangle that it names.
 struct ClaimErrors {
-    double t;        ///< in units of the last place of a float at the exact t
-    double uv;       ///< the larger of both, in 2^-24
-    double uvUlp;    ///< the same, each in units of the last place at its exact value
+    double t;     ///< in units of the last place of a float at the exact t
+    double uv;    ///< the larger of both, in 2^-24
+    double uvUlp; ///< the same, each in units of the last place at its exact value
 };
 
 /// Immutable; any number of threads may ask.
@@ -46,7 +46,7 @@ public:
 private:
     struct Node {
         double lo[3], hi[3];
-        uint32_t first, count; ///< leaf: positions in order_; inner: count 0, children first, first+1
+        uint32_t first, count; ///< leaf: places in order_; inner: 0, and the first child
     };
     struct Filtered;
     struct Exact;

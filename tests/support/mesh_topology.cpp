@@ -73,8 +73,9 @@ bool MeshTopology::surrounds(const Touch& touch, std::span<const Touch> layer) c
 }
 
 bool MeshTopology::isMust(std::span<const Touch> layer) const {
-    return std::any_of(layer.begin(), layer.end(),
-                       [&](const Touch& touch) { return touch.zeros == 0 || surrounds(touch, layer); });
+    return std::any_of(layer.begin(), layer.end(), [&](const Touch& touch) {
+        return touch.zeros == 0 || surrounds(touch, layer);
+    });
 }
 
 } // namespace smart::test
