@@ -42,25 +42,25 @@ nlohmann::json jsonOf(const EngineTally& entry) {
     return line;
 }
 
+const char* nameOf(bench::Kind kind) {
+    return kind == bench::Kind::Primary ? "primary" : "shadow";
+}
+
 nlohmann::json jsonOf(const SceneSpeed& speed) {
     nlohmann::json root = {{"scene", speed.scene},
                            {"triangles", speed.triangles},
+                           {"primaryRays", speed.primaryRays},
+                           {"shadowRays", speed.shadowRays},
                            {"triangleTestsOfPackets", speed.triangleTests},
                            {"doubleTests", speed.doubleTests},
                            {"exactTests", speed.exactTests}};
-    for (const bench::Series& series : speed.series) {
-        nlohmann::json entry = {
-            {"kind", series.kind == bench::Kind::Primary ? "primary" : "shadow"},
-            {"threads", series.threads},
-            {"rays", series.rays}};
-        for (const bench::Result& result : series.results) {
-            entry["engines"].push_back({{"engine", result.engine},
-                                        {"mraysPerSecond", result.median()},
-                                        {"repeats", result.mraysPerSecond},
-                                        {"wrong", result.mistakes.wrong},
-                                        {"differAtEdges", result.mistakes.edge}});
-        }
-        root["series"].push_back(std::move(entry));
+    for (const EngineSpeed& engine : speed.engines) {
+        root["engines"].push_back({{"engine", engine.engine},
+                                   {"kind", nameOf(engine.kind)},
+                                   {"nanosecondsPerRay", engine.best()},
+                                   {"repeats", engine.nanosecondsPerRay},
+                                   {"wrong", engine.mistakes.wrong},
+                                   {"differAtEdges", engine.mistakes.edge}});
     }
     return root;
 }
@@ -133,17 +133,14 @@ void AccuracyReport::printTable(std::ostream& out) const {
     }
     for (const SceneSpeed& speed : speeds) {
         out << '\n' << speed.scene << ", " << speed.triangles << " triangles\n";
-        for (const bench::Series& series : speed.series) {
-            for (const bench::Result& result : series.results) {
-                print(out, "%-8s %-28s %9.3f Mrays/s on %u thread(s)",
-                      series.kind == bench::Kind::Primary ? "primary" : "shadow",
-                      result.engine.c_str(), result.median(), series.threads);
-            }
+        for (const EngineSpeed& engine : speed.engines) {
+            print(out, "%-8s %-28s %9.1f ns a ray of one thread's time, %zu wrong",
+                  nameOf(engine.kind), engine.engine.c_str(), engine.best(), engine.mistakes.wrong);
         }
         print(out, "precise: %.4f tests a ray in double, %.6f exact, %.2f packet tests a packet",
-              double(speed.doubleTests) / double(speed.series[0].rays),
-              double(speed.exactTests) / double(speed.series[0].rays),
-              16.0 * double(speed.triangleTests) / double(speed.series[0].rays));
+              double(speed.doubleTests) / double(speed.primaryRays),
+              double(speed.exactTests) / double(speed.primaryRays),
+              16.0 * double(speed.triangleTests) / double(speed.primaryRays));
     }
 }
 

@@ -71,7 +71,7 @@ void measureSpeeds(const Options& options, AccuracyReport& report) {
         showProgress(scene);
         SpeedOptions speed = options.speed;
         speed.scene = scene;
-        speed.threads = options.size.threads;
+        speed.buildThreads = options.size.threads;
         if (!options.cameras.empty()) {
             // The line that --name says, or the one named like the file.
             std::string name = options.name;

@@ -170,24 +170,22 @@ def pareto(report, scene, out):
     case = report["cases"].get(PARETO_CASE)
     if not case:
         return
-    series = next(s for s in report["speed"][scene]["series"] if s["kind"] == "primary")
     points = []
-    for entry in series["engines"]:
-        kind, form = entry["engine"].rsplit(" ", 1)
+    for name, nanoseconds in times_of(report["speed"][scene], "primary").items():
+        kind, form = name.rsplit(" ", 1)
         errors = engine_of(case, kind)
         if errors:
-            points.append((speed(entry), per_million(errors, "miss", "through"), kind,
-                           form))
+            points.append((1e3 / nanoseconds, per_million(errors, "miss", "through"), kind, form))
     picture = Picture(f"Speed against lost rays: {scene}",
-                      f"right and low is better; speed of primary rays, {series['threads']} "
-                      f"thread(s), {report['isa']}; filled: packets, hollow: single rays")
+                      f"right and low is better; primary rays, one thread, {report['isa']}; "
+                      "filled: packets, hollow: single rays")
     step = nice_step(max(p[0] for p in points) * 1.05)
     top = step * math.ceil(max(p[0] for p in points) * 1.05 / step)
     scale = Logarithm(max(1, min([p[1] for p in points if p[1] > 0] or [1])),
                       max([p[1] for p in points] + [10]))
     picture.axis_y(list(scale.ticks()), f"lost of a million rays ({PARETO_CASE})")
     picture.axis_x([(i * step / top, f"{i * step:g}") for i in range(round(top / step) + 1)],
-                   "million rays a second")
+                   "million rays a second of processor time")
     for rate, lost, kind, form in points:
         picture.dot(picture.at_x(rate / top), picture.at_y(scale(lost)), COLOURS[kind],
                     form == "single")
@@ -196,29 +194,27 @@ def pareto(report, scene, out):
     picture.save(out / f"pareto-{scene.replace(':', '-')}.svg")
 
 
-def speed(result):
-    """The best repeat: what disturbs a measurement makes it slower."""
-    return max(result["repeats"])
+def times_of(scene, kind):
+    """Nanoseconds a ray, by engine."""
+    return {e["engine"]: e["nanosecondsPerRay"] for e in scene["engines"] if e["kind"] == kind}
 
 
-def relative_times(series):
+def relative_times(scene, kind):
     """Time a ray relative to the fast mode's, packets, by engine."""
-    speeds = {e["engine"]: speed(e) for e in series["engines"]}
-    fast = speeds["openrt-fast packet"]
-    return {name.rsplit(" ", 1)[0]: fast / own for name, own in speeds.items()
-            if name.endswith(" packet")}
+    times = times_of(scene, kind)
+    return {name.rsplit(" ", 1)[0]: own / times["openrt-fast packet"]
+            for name, own in times.items() if name.endswith(" packet")}
 
 
 def cost(report, out):
     groups = []
     for scene, entry in report["speed"].items():
-        for series in entry["series"]:
-            groups.append((f"{scene}\n{series['kind']}", relative_times(series)))
+        for kind in ("primary", "shadow"):
+            groups.append((f"{scene}\n{kind}", relative_times(entry, kind)))
     if not groups:
         return
-    threads = next(iter(report["speed"].values()))["series"][0]["threads"]
     picture = Picture("Time a ray relative to the fast mode",
-                      f"packets, {threads} thread(s), {report['isa']}; lower is better",
+                      f"packets, one thread, {report['isa']}; lower is better",
                       width=max(720, 300 + 105 * len(groups)))
     highest = max(max(times.values()) for _, times in groups)
     step = nice_step(highest)
@@ -348,16 +344,14 @@ def tables(report, file):
                 out(entry["scene"], entry["engine"], f"{entry['rays']:,}", entry["acne"],
                     entry["leaks"])
     for scene, entry in report["speed"].items():
-        title(f"Speed: {scene}, {entry['triangles']:,} triangles, "
-              f"{entry['series'][0]['threads']} thread(s)")
-        head("rays", "engine", "Mrays/s", "time relative to openrt-fast", words=2)
-        for series in entry["series"]:
-            times = relative_times(series)
-            for result in series["engines"]:
-                kind, form = result["engine"].rsplit(" ", 1)
-                out(series["kind"], result["engine"], f"{speed(result):.2f}",
-                    f"{times[kind]:.2f}" if form == "packet" else "")
-        rays = entry["series"][0]["rays"]
+        title(f"Speed: {scene}, {entry['triangles']:,} triangles, {entry['primaryRays']:,} primary "
+              f"and {entry['shadowRays']:,} shadow rays, one thread")
+        head("rays", "engine", "ns a ray", "relative to openrt-fast packet", words=2)
+        for kind in ("primary", "shadow"):
+            times = times_of(entry, kind)
+            for name, own in times.items():
+                out(kind, name, f"{own:.0f}", f"{own / times['openrt-fast packet']:.2f}")
+        rays = entry["primaryRays"]
         share = entry["doubleTests"] / max(16 * entry["triangleTestsOfPackets"], 1)
         print(f"\nPrecise mode, primary rays: {entry['doubleTests'] / rays:.5f} tests a ray are "
               f"repeated in double ({share:.1e} of all lanes of all tests), "
