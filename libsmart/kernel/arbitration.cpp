@@ -113,7 +113,7 @@ uint32_t placeHit(const ModelView& scene, const WorldRay& ray, const TriangleNam
         result = float((x.value + x.error) * scale);
         return low == result && low != 0;
     };
-    const bool sure = settled(meeting.t, ray.scale, t) & settled(meeting.u, 1, u) &
+    const bool sure = settled(meeting.t, ray.scale, t) && settled(meeting.u, 1, u) &&
                       settled(meeting.v, 1, v);
     if (sure) return 0;
     ExactMeeting exact;
