@@ -264,7 +264,7 @@ def curves(report, out, name, pattern, title, label, columns, what):
                 places.append((picture.at_x((math.log10(x) - low) / (high - low)),
                                picture.at_y(scale(value)), value))
         # Curves at zero lie on each other: they are drawn a little apart.
-        shift = 3 * (kinds.index(kind) - len(kinds) / 2)
+        shift = -2.5 * (len(kinds) - 1 - kinds.index(kind))
         places = [(x, y + (shift if value == 0 else 0), value) for x, y, value in places]
         picture.path([p[:2] for p in places], COLOURS[kind])
         for x, y, _ in places:
