@@ -173,10 +173,8 @@ RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode) {
             throwError(ErrorCode::InvalidEnum, "a hint is RT_FASTEST, RT_DONT_CARE or RT_NICEST");
         if (target != RT_PRECISION_HINT)
             throwError(ErrorCode::InvalidOperation, "this hint is not part of this release");
-        if (mode == RT_NICEST)
-            throwError(ErrorCode::InvalidOperation,
-                       "the precise mode is not part of this release");
-        c.recorder().frameSettings().precision =
-            mode == RT_FASTEST ? Precision::Fast : Precision::Watertight;
+        c.recorder().frameSettings().precision = mode == RT_FASTEST   ? Precision::Fast
+                                                 : mode == RT_NICEST ? Precision::Precise
+                                                                     : Precision::Watertight;
     });
 }

@@ -59,6 +59,8 @@ public:
     InstanceGroup() = default;
     /// Throws std::bad_alloc. threads: how many may build the tree.
     InstanceGroup(std::vector<Instance> instances, unsigned threads);
+    InstanceGroup(InstanceGroup&&) = default; ///< views refer to matrices, which move along
+    InstanceGroup& operator=(InstanceGroup&&) = default;
 
     const std::vector<Instance>& instances() const { return instances_; }
     const std::vector<InstanceView>& views() const { return views_; }

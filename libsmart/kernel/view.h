@@ -31,10 +31,20 @@ struct KdView {
 
 struct ModelView;
 
+/// What an inverse matrix X of M, and rays transformed by it, are off by. In the largest component,
+/// for any vector y: |M^-1 y - X y| <= relative * |X y|, |X y| <= norm * |y|.
+struct InverseBound {
+    double relative; ///< infinite where nothing is known
+    double norm;
+    double offset; ///< largest component of M's translation
+};
+
 /// A child in its parent's space. The inverse is kept in double, so that the ray in object space
 /// carries one rounding only.
 struct InstanceView {
     double toObject[3][4]; ///< rows; the fourth column is the translation
+    InverseBound inverse;
+    const double* toParent; ///< the matrix as given: four columns of three
     const ModelView* model;
     uint32_t identity; ///< not 0: toObject is the identity and needs no arithmetic
 };

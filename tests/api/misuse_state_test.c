@@ -15,7 +15,6 @@ static RTuint viewport(void) { return rtViewport(0, 0, 4, 4), 0u; }
 static RTuint clearColor(void) { return rtClearColor(1, 1, 1, 1), 0u; }
 static RTuint hintUnknown(void) { return rtHint(0xABCD, RT_NICEST), 0u; }
 static RTuint hintMode(void) { return rtHint(RT_PRECISION_HINT, RT_TRUE), 0u; }
-static RTuint hintPrecise(void) { return rtHint(RT_PRECISION_HINT, RT_NICEST), 0u; }
 static RTuint hintFog(void) { return rtHint(RT_FOG_HINT, RT_NICEST), 0u; }
 static RTuint hint(void) { return rtHint(RT_PRECISION_HINT, RT_FASTEST), 0u; }
 static RTuint stringUnknown(void) { return rtGetString(0xABCD) ? 1u : 0u; }
@@ -164,7 +163,6 @@ int main(void) {
         MISUSE(clearColor, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(hintUnknown, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(hintMode, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(hintPrecise, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(hintFog, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(hint, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(stringUnknown, OUTSIDE, RT_INVALID_ENUM),

@@ -93,7 +93,9 @@ void runBuild(const Options& options, const std::vector<Triangle>& triangles, Re
 
 void runRays(const Options& options, const std::vector<Triangle>& triangles, Report& report) {
     const View view = viewOf(options);
-    const auto precision = options.precision == "fast" ? Precision::Fast : Precision::Watertight;
+    const auto precision = options.precision == "fast"      ? Precision::Fast
+                           : options.precision == "precise" ? Precision::Precise
+                                                            : Precision::Watertight;
     showProgress("building");
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, precision, options.threads, built);
@@ -205,7 +207,7 @@ int main(int argc, char** argv) {
 #endif
     }
     rays->add_option("--precision", options.precision)
-        ->check(CLI::IsMember({"watertight", "fast"}));
+        ->check(CLI::IsMember({"watertight", "fast", "precise"}));
     rays->add_flag("--plant-error", options.plantError,
                    "name wrong triangles now and then, to prove the comparison");
     CLI::App* const reshade =
