@@ -63,6 +63,7 @@ std::shared_ptr<const ShaderTable> ShaderRegistry::freeze() {
     const std::lock_guard lock(registered_->mutex);
     if (!registered_->changed) return registered_->table;
     auto table = std::make_shared<ShaderTable>(registered_->living.size());
+    bool failed = false;
     for (std::size_t i = 0; i < table->size(); ++i) {
         Shader* shader = registered_->living[i];
         if (!shader) continue;
@@ -71,13 +72,14 @@ std::shared_ptr<const ShaderTable> ShaderRegistry::freeze() {
                 shader->frozen_ =
                     std::make_shared<const ShaderObject>(shader->class_, shader->values_);
             } catch (const Error&) {
-                continue; // without an object: only what uses this shader suffers
+                failed = true; // without an object only what uses this shader suffers
+                continue;
             }
         }
         (*table)[i] = shader->frozen_;
     }
     registered_->table = table;
-    registered_->changed = false;
+    registered_->changed = failed; // tried again next time
     return table;
 }
 

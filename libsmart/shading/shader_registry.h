@@ -54,7 +54,7 @@ public:
     const std::shared_ptr<Shader>& defaultSurface() const { return defaultSurface_; }
     /// Immutable objects of all living shaders; a shader that did not change keeps its object.
     /// The same table again if nothing changed since. A shader whose constructor fails has no
-    /// object in it.
+    /// object in it, and is tried again the next time.
     std::shared_ptr<const ShaderTable> freeze();
 
 private:
