@@ -41,20 +41,20 @@ extern "C" {
  * camera, environment and rendering object; scene 0 always exists. Everything else - matrices,
  * current values, objects, shaders, parameters, hints, settings, the frame buffer - belongs to the
  * context and is the same for all its scenes. Not in an object.
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtGenScene(void);
 
 /* The scene that rtInstantiateObject, rtUse... and loose geometry fill from now on, and that
  * rtQueueFrame, rtStartRendering, rtRender, rtFinish and rtCompileScene take; 0 at the start. What
  * the scene bound before was given stays in it. Not in an object.
  * Errors:  RT_INVALID_VALUE  unknown scene
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBindScene(RTuint scene);
 
 /* Forgets a scene and what it was given; 0 is ignored. If it is bound, scene 0 is bound instead.
  * Frames queued and scenes compiled from it are not touched. Not in an object.
  * Errors:  RT_INVALID_VALUE  unknown scene
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDeleteScene(RTuint scene);
 
 /* Freezes the bound scene as a frame, queues it and returns the frame's id; the scene is empty
@@ -64,13 +64,13 @@ RTAPI void RTAPIENTRY rtDeleteScene(RTuint scene);
  * Errors:  RT_INVALID_OPERATION  no frame buffer; a stride that holds no row; a projection matrix
  *                                without an inverse and no camera shader
  *          RT_OUT_OF_MEMORY      also when 2^32 - 2 frames have been rendered by the process
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtQueueFrame(void);
 
 /* How many frames of this context may be in flight, those of rtStartRendering included; 2 at the
  * start. A smaller number than there are now lets these go on.
  * Errors:  RT_INVALID_VALUE  n is 0
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtFrameDepth(RTuint n);
 
 /* Waits until the frame has ended: its memory is no longer written to, and its callback is not
@@ -81,20 +81,20 @@ RTAPI void RTAPIENTRY rtFrameDepth(RTuint n);
  * has one.
  * Errors:  RT_INVALID_VALUE  unknown frame (returns RT_FALSE)
  *          what went wrong with the frame
- * Threads: any; no context needed. Since: 0.2 */
+ * Threads: any; no context needed. Since: 0.1 */
 RTAPI RTboolean RTAPIENTRY rtWaitFrame(RTuint frame);
 
 /* RT_QUEUED: none of its tiles was started. RT_RENDERING: some were; also when all are done and an
  * earlier frame is not. RT_DONE: every pixel is in the frame buffer. RT_CANCELLED: some pixels
  * never will be. RT_FAILED: the library could not render it, see rtWaitFrame. The last three stay.
  * Errors:  RT_INVALID_VALUE  unknown frame (returns RT_INVALID)
- * Threads: any; no context needed. Since: 0.2 */
+ * Threads: any; no context needed. Since: 0.1 */
 RTAPI RTenum RTAPIENTRY rtFrameStatus(RTuint frame);
 
 /* The share of the frame's tiles that are done or dropped, 0 to 1; never falls, and is 1 for every
  * frame that has ended, however it did.
  * Errors:  RT_INVALID_VALUE  unknown frame (returns 0)
- * Threads: any; no context needed. Since: 0.2 */
+ * Threads: any; no context needed. Since: 0.1 */
 RTAPI RTfloat RTAPIENTRY rtFrameProgress(RTuint frame);
 
 /* Drops the tiles of the frame that no thread has begun, and returns at once; the frame ends when
@@ -102,7 +102,7 @@ RTAPI RTfloat RTAPIENTRY rtFrameProgress(RTuint frame);
  * that has ended, or all of whose tiles have been begun, is not changed: it becomes RT_DONE.
  * rtEndRendering returns for a cancelled frame as for any other.
  * Errors:  RT_INVALID_VALUE  unknown frame
- * Threads: any; no context needed. Since: 0.2 */
+ * Threads: any; no context needed. Since: 0.1 */
 RTAPI void RTAPIENTRY rtCancelFrame(RTuint frame);
 
 /* Calls cb for the frames started from now on by any call of this context; NULL: none (start).
@@ -119,7 +119,7 @@ RTAPI void RTAPIENTRY rtCancelFrame(RTuint frame);
  * which is done all the same. So is an exception that leaves cb. `user` is passed on; it has to
  * live until the frames started with it have ended. A frame without an id, after the last of
  * them, is RT_INVALID.
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtSetFrameCallback(void(RTAPIENTRY *cb)(RTuint frame, RTenum event, RTint x,
                                                               RTint y, RTsizei w, RTsizei h,
                                                               void *user),

@@ -66,7 +66,7 @@ RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFor
  *                                is NULL
  *          RT_INVALID_OPERATION  the level has no image; a target, format or type that OpenGL has
  *                                and this release has not
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
                                       RTsizei width, RTsizei height, RTenum format, RTenum type,
                                       const void *pixels);
@@ -97,7 +97,7 @@ RTAPI void RTAPIENTRY rtTexParameterfv(RTenum target, RTenum pname, const RTfloa
 
 /* What rtTexParameter set.
  * Errors:  as there
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtGetTexParameteriv(RTenum target, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum target, RTenum pname, RTfloat *params);
 
@@ -107,7 +107,7 @@ RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum target, RTenum pname, RTfloat *
  * Errors:  RT_INVALID_ENUM       target or pname is no such token
  *          RT_INVALID_VALUE      level out of range, params NULL
  *          RT_INVALID_OPERATION  RT_TEXTURE_COMPRESSED_IMAGE_SIZE: nothing is compressed
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtGetTexLevelParameteriv(RTenum target, RTint level, RTenum pname,
                                                RTint *params);
 RTAPI void RTAPIENTRY rtGetTexLevelParameterfv(RTenum target, RTint level, RTenum pname,
