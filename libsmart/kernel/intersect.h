@@ -20,11 +20,34 @@ public:
         doubtful_ = magnitude(shear_.scale()) *
                     (Real<N>(model.tree.maxAbs) + magnitude(shear_.depthOrigin())) *
                     Real<N>(0x1p-10f);
+        // Three factors of the test's products are coordinates: beyond this they may overflow.
+        const Real<N> largest(0x1p40f);
+        large_ = Real<N>(model.tree.maxAbs) > largest;
+        for (int k = 0; k < 3; ++k)
+            large_ = large_ | (magnitude(Real<N>::load(rays.org[k])) > largest);
+        large_ = large_ & Mask<N>::fromBits(group.lanes);
+        someLarge_ = any(large_);
     }
 
     /// Lanes of `active` that meet the triangle's plane inside it, and where. Limits are not
     /// looked at.
     HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
+        return someLarge_ ? meetLarge(number, active, t) : meetInFloat(number, active, t);
+    }
+
+    /// Of the lanes that meet the triangle at t, those for which float can compare t with `best`:
+    /// the others are compared in double. Those whose far limit it passes are dropped, those for
+    /// which it is the nearest of this model's triangles are brought up to date.
+    template <HitMode M, class Counter>
+    HWY_INLINE Mask<N> comparable(uint32_t number, const Mask<N>& hit, Real<N>& t, Real<N>& best,
+                                  Search<N, M, Counter>& query) const {
+        const Mask<N> close = hit & (magnitude(t - best) <= doubtful_ * Real<N>(0x1p-6f));
+        if (!any(close)) return hit;
+        return compareInDouble(number, close.bits(), hit, t, best, query);
+    }
+
+private:
+    HWY_INLINE Mask<N> meetInFloat(uint32_t number, const Mask<N>& active, Real<N>& t) const {
         const Triangle& triangle = triangles_[number];
         const Sheared<N> sheared = shear_(triangle);
         Real<N> u, v, w;
@@ -45,18 +68,43 @@ public:
         return inside;
     }
 
-    /// Of the lanes that meet the triangle at t, those for which float can compare t with `best`:
-    /// the others are compared in double. Those whose far limit it passes are dropped, those for
-    /// which it is the nearest of this model's triangles are brought up to date.
-    template <HitMode M, class Counter>
-    HWY_INLINE Mask<N> comparable(uint32_t number, const Mask<N>& hit, Real<N>& t, Real<N>& best,
-                                  Search<N, M, Counter>& query) const {
-        const Mask<N> close = hit & (magnitude(t - best) <= doubtful_ * Real<N>(0x1p-6f));
-        if (!any(close)) return hit;
-        return compareInDouble(number, close.bits(), hit, t, best, query);
+    /// The same test; the lanes with large coordinates in double, whose exponents suffice. A
+    /// double edge function of zero counts as inside, on both sides of the edge.
+    [[gnu::noinline]] Mask<N> meetLarge(uint32_t number, const Mask<N>& active,
+                                        Real<N>& t) const {
+        t = Real<N>(0.0f);
+        uint32_t accepted = meetInFloat(number, andNot(active, large_), t).bits();
+        alignas(64) float result[N];
+        t.store(result);
+        for (uint32_t lanes = (active & large_).bits(); lanes; lanes &= lanes - 1) {
+            const int i = lowestBit(lanes);
+            if (meetInDouble(triangles_[number], i, result[i])) accepted |= 1u << i;
+        }
+        t = Real<N>::load(result);
+        return Mask<N>::fromBits(accepted);
     }
 
-private:
+    bool meetInDouble(const Triangle& triangle, int lane, float& t) const {
+        const int kx = shear_.axis(0), ky = shear_.axis(1), kz = shear_.axis(2);
+        const double scale = 1.0 / double(rays_.dir[kz][lane]);
+        const double sx = rays_.dir[kx][lane] * scale, sy = rays_.dir[ky][lane] * scale;
+        const float* const vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
+        double x[3], y[3], z[3];
+        for (int c = 0; c < 3; ++c) {
+            z[c] = double(vertices[c][kz]) - rays_.org[kz][lane];
+            x[c] = (double(vertices[c][kx]) - rays_.org[kx][lane]) - sx * z[c];
+            y[c] = (double(vertices[c][ky]) - rays_.org[ky][lane]) - sy * z[c];
+        }
+        const double u = x[2] * y[1] - y[2] * x[1];
+        const double v = x[0] * y[2] - y[0] * x[2];
+        const double w = x[1] * y[0] - y[1] * x[0];
+        const double determinant = u + v + w;
+        if (((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) || determinant == 0)
+            return false;
+        t = float((u * z[0] + v * z[1] + w * z[2]) / determinant * scale);
+        return magnitude(Real<1>(t)).v <= 0x1.fffffep127f;
+    }
+
     /// Repeats the test in double for the given lanes.
     [[gnu::noinline]] void decideExactly(const Sheared<N>& sheared, uint32_t lanes,
                                          Mask<N>& inside, Real<N>& t) const {
@@ -164,6 +212,8 @@ private:
     const Triangle* triangles_;
     Shear<N> shear_;
     const LocalRays<N>& rays_;
+    Mask<N> large_;
+    bool someLarge_;
     Real<N> doubtful_;
 };
 
