@@ -46,7 +46,7 @@ const char* instructionSets() {
     static const std::string names = [] {
         std::string all;
         for (const char* name : {"avx512", "avx2", "sse4", "neon", "generic"})
-            if (findKernels(name)) all += (all.empty() ? "" : " ") + std::string(name);
+            if (findKernels(name)) all.append(all.empty() ? "" : " ").append(name);
         return all;
     }();
     return names.c_str();
@@ -55,7 +55,8 @@ const char* instructionSets() {
 const char* shaderFoldersText() {
     thread_local std::string text;
     std::string all;
-    for (const std::string& folder : shaderFolders()) all += (all.empty() ? "" : ":") + folder;
+    for (const std::string& folder : shaderFolders())
+        all.append(all.empty() ? "" : ":").append(folder);
     text = std::move(all);
     return text.c_str();
 }
