@@ -80,7 +80,7 @@ const RTSpluginclass entry = {
     kDescribed || IS(kNothingBehind) ? nullptr : &shaderClass,
     kDescribed ? describe : nullptr,
 };
-const RTSpluginclass* const list[2] = {IS(kNullEntry) ? nullptr : &entry, &entry};
+[[maybe_unused]] const RTSpluginclass* const list[2] = {IS(kNullEntry) ? nullptr : &entry, &entry};
 
 } // namespace
 
