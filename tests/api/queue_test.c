@@ -355,9 +355,11 @@ static void tinyFramesInConstantMemory(void) {
     }
     CHECK(last - first + 1 == kTinyFrames + kTinyFrames / 5);
     CHECK(bytes[0] == bytes[1]); /* the object's alone */
-    /* A little for cancelled frames, of which the outcome stays known. */
-    if (heap[1] > heap[0] + 16384) fprintf(stderr, "%zu bytes, then %zu\n", heap[0], heap[1]);
-    CHECK(heap[1] <= heap[0] + 16384);
+    /* A block lost per frame would be 32 bytes of each. Allowed are 8: what is freed but kept by
+     * the allocator for one thread counts as held, and cancelled frames leave their outcome. */
+    if (heap[1] > heap[0] + 8 * kTinyFrames)
+        fprintf(stderr, "%zu bytes, then %zu\n", heap[0], heap[1]);
+    CHECK(heap[1] <= heap[0] + 8 * kTinyFrames);
     CHECK(rtFrameStatus(first) == RT_DONE && rtWaitFrame(first) == RT_TRUE); /* long ago */
     CHECK(rtFrameProgress(first) == 1);
     CHECK(rtFrameStatus(first + 5) == RT_CANCELLED || rtFrameStatus(first + 5) == RT_DONE);
