@@ -13,7 +13,7 @@ class ExactNumber {
 public:
     static constexpr int kDigits = 192;
 
-    ExactNumber() : size_(0) {}
+    ExactNumber() {}
     ExactNumber(double value); ///< finite
     ExactNumber(const ExactNumber& other) { *this = other; }
     ExactNumber& operator=(const ExactNumber& other);
@@ -36,10 +36,10 @@ private:
     uint32_t digit(int position) const;
     void trim();
 
-    int low_;       ///< position of digit_[0]
-    int size_;      ///< 0: the number is zero, and nothing else here holds
-    bool negative_;
-    uint32_t digit_[kDigits]; ///< lowest first
+    int low_ = 0;  ///< position of digit_[0]
+    int size_ = 0; ///< 0: the number is zero, and nothing else here holds
+    bool negative_ = false;
+    uint32_t digit_[kDigits]; ///< lowest first; only size_ of them hold
 };
 
 } // namespace smart

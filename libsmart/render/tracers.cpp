@@ -9,12 +9,18 @@
 namespace smart {
 namespace {
 
+/// A tracer that is never destroyed: at the end of a process that did not end the library first,
+/// workers may still be rendering.
+template <class Shading>
+const Tracer& lasting(ShadingForm form) {
+    static const Tracer* const packets = new PacketTracer<Shading>(ShadingForm::Packets);
+    static const Tracer* const points = new PacketTracer<Shading>(ShadingForm::Points);
+    return form == ShadingForm::Packets ? *packets : *points;
+}
+
 template <class S>
 const Tracer* fixedTracer(const FrameShading& shading, ShadingForm form) {
-    static const PacketTracer<FixedShading<S>> packets(ShadingForm::Packets),
-        points(ShadingForm::Points);
-    if (!FixedShading<S>::serves(shading)) return nullptr;
-    return form == ShadingForm::Packets ? &packets : &points;
+    return FixedShading<S>::serves(shading) ? &lasting<FixedShading<S>>(form) : nullptr;
 }
 
 template <class... Surfaces>
@@ -28,12 +34,11 @@ const Tracer* firstOf(const FrameShading& shading, ShadingForm form) {
 
 const Tracer& tracerFor(const FrameShading& shading, ShadingForm form) {
     using namespace builtin;
-    static const PacketTracer<> packets(ShadingForm::Packets), points(ShadingForm::Points);
     const Tracer* const fixed =
         firstOf<FixedFunction, ConstantShader, DiffuseShader, TexturedDiffuseShader, TextureShader,
                 MirrorShader, Phong, MetallicRoughness, Glass, AmbientOcclusion>(
             shading, form);
-    return fixed ? *fixed : form == ShadingForm::Packets ? packets : points;
+    return fixed ? *fixed : lasting<DynamicShading>(form);
 }
 
 } // namespace smart

@@ -51,12 +51,13 @@ const ByteTables& byteTables() {
 }
 
 const float* srgbShortTable() {
-    static const std::vector<float> table = [] {
+    // Never destroyed: workers may still read it when the process ends.
+    static const auto& table = *new const std::vector<float>([] {
         std::vector<float> values(65536);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = float(decoded(double(i) / 65535.0));
         return values;
-    }();
+    }());
     return table.data();
 }
 
