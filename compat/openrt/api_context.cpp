@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
+#include <string>
 #include <utility>
 
+#include "compat/openrt/frame_callback.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/init_arguments.h"
 #include "compat/openrt/query_handles.h"
 #include "compat/openrt/tokens.h"
+#include "compat/recorder/frame_table.h"
 #include "libsmart/kernel/kernels.h"
+#include "libsmart/shading/plugin_search.h"
 #include "openrt/rt_core.h"
 #include "openrt/version.h"
 
@@ -37,9 +41,30 @@ private:
     void* user_;
 };
 
+/// Those that library and machine have, best first.
+const char* instructionSets() {
+    static const std::string names = [] {
+        std::string all;
+        for (const char* name : {"avx512", "avx2", "sse4", "neon", "generic"})
+            if (findKernels(name)) all.append(all.empty() ? "" : " ").append(name);
+        return all;
+    }();
+    return names.c_str();
+}
+
+const char* shaderFoldersText() {
+    thread_local std::string text;
+    std::string all;
+    for (const std::string& folder : shaderFolders())
+        all.append(all.empty() ? "" : ":").append(folder);
+    text = std::move(all);
+    return text.c_str();
+}
+
 } // namespace
 
 RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
+    if (refusedOnWorker(__func__)) return;
     try {
         if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
         const InitOptions options = takeInitArguments(argcp, argv);
@@ -53,11 +78,14 @@ RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
 }
 
 RTAPI void RTAPIENTRY rtExit(void) {
+    if (refusedOnWorker(__func__)) return;
     destroyAllContexts();
     releaseAllQueryScenes();
+    frameTable().forgetAll();
 }
 
 RTAPI RTcontext RTAPIENTRY rtCreateContext(void) {
+    if (refusedOnWorker(__func__)) return nullptr;
     try {
         return handleOf(createContext(threadsFromEnvironment()));
     } catch (...) {
@@ -67,6 +95,7 @@ RTAPI RTcontext RTAPIENTRY rtCreateContext(void) {
 }
 
 RTAPI RTboolean RTAPIENTRY rtMakeCurrent(RTcontext context) {
+    if (refusedOnWorker(__func__)) return RT_FALSE;
     try {
         makeContextCurrent(idOf(context));
         return RT_TRUE;
@@ -77,6 +106,7 @@ RTAPI RTboolean RTAPIENTRY rtMakeCurrent(RTcontext context) {
 }
 
 RTAPI void RTAPIENTRY rtDestroyContext(RTcontext context) {
+    if (refusedOnWorker(__func__)) return;
     try {
         if (context) destroyContext(idOf(context));
     } catch (...) {
@@ -85,6 +115,7 @@ RTAPI void RTAPIENTRY rtDestroyContext(RTcontext context) {
 }
 
 RTAPI RTcontext RTAPIENTRY rtGetCurrentContext(void) {
+    refusedInCallback(__func__); // there is none on a thread of the library
     return handleOf(currentContextId());
 }
 
@@ -119,6 +150,8 @@ RTAPI const RTubyte* RTAPIENTRY rtGetString(RTenum name) {
         case RT_RENDERER: text = "OpenRT on libsmart"; break;
         case RT_EXTENSIONS: text = ""; break;
         case RT_ISA: text = kernels().name; break;
+        case RT_ISA_NAMES: text = instructionSets(); break;
+        case RT_SHADER_FOLDERS: text = shaderFoldersText(); break;
         default: throwError(ErrorCode::InvalidEnum, "no such text");
         }
         return reinterpret_cast<const RTubyte*>(text);
@@ -141,10 +174,8 @@ RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode) {
             throwError(ErrorCode::InvalidEnum, "a hint is RT_FASTEST, RT_DONT_CARE or RT_NICEST");
         if (target != RT_PRECISION_HINT)
             throwError(ErrorCode::InvalidOperation, "this hint is not part of this release");
-        if (mode == RT_NICEST)
-            throwError(ErrorCode::InvalidOperation,
-                       "the precise mode is not part of this release");
-        c.recorder().frameSettings().precision =
-            mode == RT_FASTEST ? Precision::Fast : Precision::Watertight;
+        c.recorder().frameSettings().precision = mode == RT_FASTEST   ? Precision::Fast
+                                                 : mode == RT_NICEST ? Precision::Precise
+                                                                     : Precision::Watertight;
     });
 }

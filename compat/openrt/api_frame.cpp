@@ -137,33 +137,3 @@ RTAPI void RTAPIENTRY rtFinish(void) {
 RTAPI void RTAPIENTRY rtFlush(void) {
     guarded(__func__, [](Context& c) { c.recorder().requireOutsidePrimitive(); });
 }
-
-RTAPI RTuint RTAPIENTRY rtGenScene(void) {
-    refused(__func__);
-    return RT_INVALID;
-}
-RTAPI void RTAPIENTRY rtBindScene(RTuint) { refused(__func__); }
-RTAPI void RTAPIENTRY rtDeleteScene(RTuint) { refused(__func__); }
-RTAPI RTuint RTAPIENTRY rtQueueFrame(void) {
-    refused(__func__);
-    return RT_INVALID;
-}
-RTAPI void RTAPIENTRY rtFrameDepth(RTuint) { refused(__func__); }
-RTAPI RTboolean RTAPIENTRY rtWaitFrame(RTuint) {
-    refused(__func__);
-    return RT_FALSE;
-}
-RTAPI RTenum RTAPIENTRY rtFrameStatus(RTuint) {
-    refused(__func__);
-    return RT_INVALID;
-}
-RTAPI RTfloat RTAPIENTRY rtFrameProgress(RTuint) {
-    refused(__func__);
-    return 0;
-}
-RTAPI void RTAPIENTRY rtCancelFrame(RTuint) { refused(__func__); }
-RTAPI void RTAPIENTRY rtSetFrameCallback(void(RTAPIENTRY*)(RTuint, RTenum, RTint, RTint, RTsizei,
-                                                           RTsizei, void*),
-                                         void*) {
-    refused(__func__);
-}

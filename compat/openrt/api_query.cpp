@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "compat/openrt/frame_callback.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/query_handles.h"
 #include "compat/openrt/tokens.h"
@@ -14,9 +15,10 @@ constexpr std::ptrdiff_t kHitWords = sizeof(RThit) / sizeof(float);
 static_assert(sizeof(RTray) == 32 && sizeof(RThit) == 40);
 static_assert(RT_HIT_BACK == 1); // what intersect() writes
 
-/// Legal with any context or none; in a context not between begin and end.
+/// Legal with any context or none; in a context not between begin and end, nor in frame callbacks.
 template <class Body>
 void query(const char* function, Body&& body) noexcept {
+    if (refusedInCallback(function)) return;
     try {
         if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
         body();

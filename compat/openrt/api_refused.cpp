@@ -308,18 +308,6 @@ RTAPI void RTAPIENTRY rtTexEnvfv(RTenum, RTenum, const RTfloat *) { refused("rtT
 RTAPI void RTAPIENTRY rtTexEnviv(RTenum, RTenum, const RTint *) { refused("rtTexEnviv"); }
 RTAPI void RTAPIENTRY rtGetTexEnvfv(RTenum, RTenum, RTfloat *) { refused("rtGetTexEnvfv"); }
 RTAPI void RTAPIENTRY rtGetTexEnviv(RTenum, RTenum, RTint *) { refused("rtGetTexEnviv"); }
-RTAPI void RTAPIENTRY rtTexParameterfv(RTenum, RTenum,
-    const RTfloat *) { refused("rtTexParameterfv"); }
-RTAPI void RTAPIENTRY rtTexParameteriv(RTenum, RTenum,
-    const RTint *) { refused("rtTexParameteriv"); }
-RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum, RTenum,
-    RTfloat *) { refused("rtGetTexParameterfv"); }
-RTAPI void RTAPIENTRY rtGetTexParameteriv(RTenum, RTenum,
-    RTint *) { refused("rtGetTexParameteriv"); }
-RTAPI void RTAPIENTRY rtGetTexLevelParameterfv(RTenum, RTint, RTenum,
-    RTfloat *) { refused("rtGetTexLevelParameterfv"); }
-RTAPI void RTAPIENTRY rtGetTexLevelParameteriv(RTenum, RTint, RTenum,
-    RTint *) { refused("rtGetTexLevelParameteriv"); }
 RTAPI void RTAPIENTRY rtTexImage1D(RTenum, RTint, RTint, RTsizei, RTint, RTenum, RTenum,
     const void *) { refused("rtTexImage1D"); }
 RTAPI void RTAPIENTRY rtGetTexImage(RTenum, RTint, RTenum, RTenum,
@@ -330,8 +318,6 @@ RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei, const RTuint *,
     RTboolean *) { refused("rtAreTexturesResident"); return RT_FALSE; }
 RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum, RTint, RTint, RTsizei, RTenum, RTenum,
     const void *) { refused("rtTexSubImage1D"); }
-RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum, RTint, RTint, RTint, RTsizei, RTsizei, RTenum, RTenum,
-    const void *) { refused("rtTexSubImage2D"); }
 RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum, RTint, RTenum, RTint, RTint, RTsizei,
     RTint) { refused("rtCopyTexImage1D"); }
 RTAPI void RTAPIENTRY rtCopyTexImage2D(RTenum, RTint, RTenum, RTint, RTint, RTsizei, RTsizei,

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "compat/openrt/guard.h"
+#include "libsmart/shading/plugin_loader.h"
+#include "libsmart/shading/plugin_search.h"
 #include "openrt/rt_shaders.h"
 #include "openrt/rts.h"
 
@@ -35,14 +39,34 @@ RTAPI RTuint RTAPIENTRY rtGenNewShaderClass(const char* shaderName, const char* 
         ShaderCatalog& shaders = c.recorder().shaders();
         requirePointer(shaderName, "shaderName");
         if (fileName)
-            throwError(ErrorCode::InvalidValue, std::string(fileName) +
-                                                    ": this release loads no shader libraries");
+            return shaders.addClass(
+                loadShaderClass(shaderName, findShaderLibrary(fileName, shaderFolders())));
         ShaderClassPtr found = shaders.findClass(shaderName);
         if (!found)
             throwError(ErrorCode::InvalidValue,
                        "no shader class named '" + std::string(shaderName) +
                            "' is built in or registered");
         return shaders.addClass(std::move(found));
+    });
+}
+
+RTAPI const char* RTAPIENTRY rtGetShaderClassNames(const char* fileName) {
+    return guardedOr<const char*>(nullptr, __func__, [&](Context& c) {
+        c.recorder().requireOutsidePrimitive();
+        thread_local std::string text;
+        std::string names;
+        for (const std::string& name :
+             fileName ? shaderClassNames(findShaderLibrary(fileName, shaderFolders()))
+                      : builtinClassNames())
+            names += name + '\n';
+        text = std::move(names);
+        return text.c_str();
+    });
+}
+
+RTAPI const struct RTshaderclass* RTAPIENTRY rtGetShaderClassDescriptor(RTuint shaderClass) {
+    return guardedOr<const RTshaderclass*>(nullptr, __func__, [&](Context& c) {
+        return &c.recorder().shaders().shaderClass(shaderClass)->descriptor();
     });
 }
 

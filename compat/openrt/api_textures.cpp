@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Textures and their images; how they are looked up stands in api_texture_parameters.cpp.
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -17,48 +18,28 @@ void requireNames(RTsizei n, const RTuint* textures) {
     if (n > 0) requirePointer(textures, "textures");
 }
 
+void checkLevel(RTint level) {
+    if (level < 0 || uint32_t(level) > TextureStore::kMaxLevel)
+        throwError(ErrorCode::InvalidValue, "levels go from 0 to 14");
+}
+
 void checkSize(RTsizei width, RTsizei height) {
     if (width < 0 || height < 0) throwError(ErrorCode::InvalidValue, "an image's size is negative");
-    if (uint32_t(width) > TextureStore::kMaxSize || uint32_t(height) > TextureStore::kMaxSize)
-        throwError(ErrorCode::InvalidValue, "images have 16384 texels a side at most");
 }
 
-void checkLevelAndBorder(RTint level, RTint border) {
-    if (level < 0) throwError(ErrorCode::InvalidValue, "a level is negative");
+void checkSizeOfLevel(RTint level, RTsizei width, RTsizei height) {
+    checkSize(width, height);
+    const uint32_t largest = TextureStore::kMaxSize >> level;
+    if (uint32_t(width) > largest || uint32_t(height) > largest)
+        throwError(ErrorCode::InvalidValue,
+                   "images of level " + std::to_string(level) + " have " +
+                       std::to_string(largest) + " texels a side at most");
+}
+
+void checkBorder(RTint border) {
     if (border < 0 || border > 1) throwError(ErrorCode::InvalidValue, "a border is 0 or 1");
-    if (level > 0) throwError(ErrorCode::InvalidOperation, "mipmaps are not part of this release");
     if (border > 0)
         throwError(ErrorCode::InvalidOperation, "texture borders are not part of this release");
-}
-
-void setTexParameter(const char* function, RTenum target, RTenum pname, RTint param) noexcept {
-    guarded(function, [&](Context& c) {
-        TextureStore& textures = c.recorder().textures();
-        checkTextureTarget(target);
-        TextureOptions options = textures.options();
-        switch (pname) {
-        case RT_TEXTURE_WRAP_S: options.wrapS = textureWrapOf(param); break;
-        case RT_TEXTURE_WRAP_T: options.wrapT = textureWrapOf(param); break;
-        case RT_TEXTURE_MAG_FILTER: options.filter = magFilterOf(param); break;
-        case RT_TEXTURE_MIN_FILTER: checkMinFilter(param); return;
-        case RT_TEXTURE_WRAP_R:
-        case RT_TEXTURE_BORDER_COLOR:
-        case RT_TEXTURE_PRIORITY:
-        case RT_TEXTURE_MIN_LOD:
-        case RT_TEXTURE_MAX_LOD:
-        case RT_TEXTURE_BASE_LEVEL:
-        case RT_TEXTURE_MAX_LEVEL:
-        case RT_TEXTURE_LOD_BIAS:
-        case RT_DEPTH_TEXTURE_MODE:
-        case RT_TEXTURE_COMPARE_MODE:
-        case RT_TEXTURE_COMPARE_FUNC:
-        case RT_GENERATE_MIPMAP:
-            throwError(ErrorCode::InvalidOperation,
-                       "this texture parameter is not part of this release");
-        default: throwError(ErrorCode::InvalidEnum, "unknown texture parameter");
-        }
-        textures.setOptions(options);
-    });
 }
 
 void setPixelStore(const char* function, RTenum pname, RTint param) noexcept {
@@ -148,29 +129,53 @@ RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFor
         const PixelOrder order = pixelOrderOf(format);
         const TexelType texelType = texelTypeOf(type);
         const InternalFormat internal = internalFormatOf(internalFormat);
-        checkSize(width, height);
-        checkLevelAndBorder(level, border);
-        if (internal.srgb && texelType != TexelType::Byte)
-            throwError(ErrorCode::InvalidOperation, "sRGB images consist of bytes");
+        checkLevel(level);
+        checkSizeOfLevel(level, width, height);
+        checkBorder(border);
         if (width == 0 || height == 0) {
-            textures.setImage(nullptr);
+            textures.setImage(uint32_t(level), nullptr, internalFormat);
             return;
         }
-        TextureOptions options = textures.options();
-        options.srgb = internal.srgb;
         const ImageSource source{pixels, uint32_t(width), uint32_t(height), order, texelType};
-        textures.setImage(std::make_shared<const Texture>(
-            source.width, source.height, internal.channels, texelType,
-            unpackImage(source, c.recorder().pixelStore(), internal.channels), options));
+        textures.setImage(
+            uint32_t(level),
+            std::make_shared<const TextureImage>(
+                source.width, source.height, internal.channels, texelType, internal.srgb,
+                unpackImage(source, c.recorder().pixelStore(), internal.channels)),
+            internalFormat);
     });
 }
 
-RTAPI void RTAPIENTRY rtTexParameteri(RTenum target, RTenum pname, RTint param) {
-    setTexParameter(__func__, target, pname, param);
+RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
+                                      RTsizei width, RTsizei height, RTenum format, RTenum type,
+                                      const void* pixels) {
+    guarded(__func__, [&](Context& c) {
+        TextureStore& textures = c.recorder().textures();
+        checkTextureTarget(target);
+        const PixelOrder order = pixelOrderOf(format);
+        const TexelType texelType = texelTypeOf(type);
+        checkLevel(level);
+        checkSize(width, height);
+        const TextureLevelInfo info = textures.info(uint32_t(level));
+        if (info.channels == 0)
+            throwError(ErrorCode::InvalidOperation, "the level has no image");
+        if (xoffset < 0 || yoffset < 0 || int64_t(xoffset) + width > info.width ||
+            int64_t(yoffset) + height > info.height)
+            throwError(ErrorCode::InvalidValue, "the part does not lie inside the image");
+        if (width == 0 || height == 0) return;
+        requirePointer(pixels, "pixels");
+        const ImageSource source{pixels, uint32_t(width), uint32_t(height), order, texelType};
+        const TextureImage part(source.width, source.height, info.channels, texelType,
+                                internalFormatOf(info.internalFormat).srgb,
+                                unpackImage(source, c.recorder().pixelStore(), info.channels));
+        textures.setImage(uint32_t(level),
+                          std::make_shared<const TextureImage>(
+                              textures.image(uint32_t(level))
+                                  ->withPart(uint32_t(xoffset), uint32_t(yoffset), part)),
+                          info.internalFormat);
+    });
 }
-RTAPI void RTAPIENTRY rtTexParameterf(RTenum target, RTenum pname, RTfloat param) {
-    setTexParameter(__func__, target, pname, rounded(param));
-}
+
 RTAPI void RTAPIENTRY rtPixelStorei(RTenum pname, RTint param) {
     setPixelStore(__func__, pname, param);
 }

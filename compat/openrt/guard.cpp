@@ -6,6 +6,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "compat/openrt/frame_callback.h"
+
 namespace smart::compat {
 
 RTenum errorToken(ErrorCode code) noexcept {
@@ -38,6 +40,10 @@ void report(const char* function) noexcept {
     } catch (...) {
         errors.raise(ErrorCode::InvalidOperation, function, "unknown exception");
     }
+}
+
+void withoutContext(const char* function) noexcept {
+    refusedInCallback(function);
 }
 
 void refused(const char* function) noexcept {

@@ -8,13 +8,16 @@
 #include "libsmart/base/error.h"
 #include "openrt/types.h"
 
-
 namespace smart::compat {
 
 RTenum errorToken(ErrorCode code) noexcept;
 
 /// Records the exception being handled in the calling thread's context, if it has one.
 void report(const char* function) noexcept;
+
+/// What a call that needs a context does where none is current: nothing, except that the frame
+/// whose callback makes it keeps that as its error.
+void withoutContext(const char* function) noexcept;
 
 /// Records that a function of the interface is not part of this release.
 void refused(const char* function) noexcept;
@@ -27,7 +30,7 @@ void requirePointer(const void* pointer, const char* name);
 template <class Body>
 void guarded(const char* function, Body&& body) noexcept {
     Context* const context = currentContext();
-    if (!context) return;
+    if (!context) return withoutContext(function);
     try {
         body(*context);
     } catch (...) {
@@ -39,7 +42,7 @@ void guarded(const char* function, Body&& body) noexcept {
 template <class Result, class Body>
 Result guardedOr(Result failure, const char* function, Body&& body) noexcept {
     Context* const context = currentContext();
-    if (!context) return failure;
+    if (!context) return withoutContext(function), failure;
     try {
         return body(*context);
     } catch (...) {

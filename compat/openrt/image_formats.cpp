@@ -98,6 +98,7 @@ TexelType texelTypeOf(RTenum type) {
     switch (type) {
     case RT_UNSIGNED_BYTE: return TexelType::Byte;
     case RT_UNSIGNED_SHORT: return TexelType::Short;
+    case RT_HALF_FLOAT: return TexelType::Half;
     case RT_FLOAT: return TexelType::Float;
     case RT_BYTE:
     case RT_SHORT:
@@ -123,12 +124,23 @@ TexelType texelTypeOf(RTenum type) {
 TextureWrap textureWrapOf(RTint wrap) {
     switch (wrap) {
     case RT_REPEAT: return TextureWrap::Repeat;
-    case RT_CLAMP:
-    case RT_CLAMP_TO_EDGE: return TextureWrap::Clamp;
+    case RT_CLAMP: return TextureWrap::Clamp;
+    case RT_CLAMP_TO_EDGE: return TextureWrap::ClampToEdge;
+    case RT_CLAMP_TO_BORDER: return TextureWrap::ClampToBorder;
     case RT_MIRRORED_REPEAT: return TextureWrap::Mirror;
-    case RT_CLAMP_TO_BORDER: notInRelease("RT_CLAMP_TO_BORDER");
     default: throwError(ErrorCode::InvalidEnum, "unknown wrap mode");
     }
+}
+
+RTenum tokenOf(TextureWrap wrap) {
+    switch (wrap) {
+    case TextureWrap::Repeat: return RT_REPEAT;
+    case TextureWrap::Clamp: return RT_CLAMP;
+    case TextureWrap::ClampToEdge: return RT_CLAMP_TO_EDGE;
+    case TextureWrap::ClampToBorder: return RT_CLAMP_TO_BORDER;
+    case TextureWrap::Mirror: break;
+    }
+    return RT_MIRRORED_REPEAT;
 }
 
 TextureFilter magFilterOf(RTint filter) {
@@ -139,16 +151,28 @@ TextureFilter magFilterOf(RTint filter) {
     }
 }
 
-void checkMinFilter(RTint filter) {
+MinificationFilter minFilterOf(RTint filter) {
+    constexpr TextureFilter kNearest = TextureFilter::Nearest, kLinear = TextureFilter::Linear;
     switch (filter) {
-    case RT_NEAREST:
-    case RT_LINEAR:
-    case RT_NEAREST_MIPMAP_NEAREST:
-    case RT_NEAREST_MIPMAP_LINEAR:
-    case RT_LINEAR_MIPMAP_NEAREST:
-    case RT_LINEAR_MIPMAP_LINEAR: return;
+    case RT_NEAREST: return {kNearest, LevelChoice::First};
+    case RT_LINEAR: return {kLinear, LevelChoice::First};
+    case RT_NEAREST_MIPMAP_NEAREST: return {kNearest, LevelChoice::Nearest};
+    case RT_LINEAR_MIPMAP_NEAREST: return {kLinear, LevelChoice::Nearest};
+    case RT_NEAREST_MIPMAP_LINEAR: return {kNearest, LevelChoice::Linear};
+    case RT_LINEAR_MIPMAP_LINEAR: return {kLinear, LevelChoice::Linear};
     default: throwError(ErrorCode::InvalidEnum, "unknown filter");
     }
+}
+
+RTenum tokenOf(const MinificationFilter& filter) {
+    const bool linear = filter.filter == TextureFilter::Linear;
+    switch (filter.levels) {
+    case LevelChoice::First: return linear ? RT_LINEAR : RT_NEAREST;
+    case LevelChoice::Nearest:
+        return linear ? RT_LINEAR_MIPMAP_NEAREST : RT_NEAREST_MIPMAP_NEAREST;
+    case LevelChoice::Linear: break;
+    }
+    return linear ? RT_LINEAR_MIPMAP_LINEAR : RT_NEAREST_MIPMAP_LINEAR;
 }
 
 void checkTextureTarget(RTenum target) {

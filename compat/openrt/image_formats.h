@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compat/recorder/pixel_unpack.h"
+#include "libsmart/shading/texture.h"
 #include "openrt/types.h"
 
 namespace smart::compat {
@@ -15,10 +16,11 @@ InternalFormat internalFormatOf(RTint format);
 PixelOrder pixelOrderOf(RTenum format);
 TexelType texelTypeOf(RTenum type);
 TextureWrap textureWrapOf(RTint wrap);
-/// Checks a value of RT_TEXTURE_MAG_FILTER.
+RTenum tokenOf(TextureWrap wrap);
+/// A value of RT_TEXTURE_MAG_FILTER, of RT_TEXTURE_MIN_FILTER.
 TextureFilter magFilterOf(RTint filter);
-/// Checks a value of RT_TEXTURE_MIN_FILTER.
-void checkMinFilter(RTint filter);
+MinificationFilter minFilterOf(RTint filter);
+RTenum tokenOf(const MinificationFilter& filter);
 /// Throws unless it is RT_TEXTURE_2D.
 void checkTextureTarget(RTenum target);
 

@@ -47,9 +47,9 @@ const char* apply(InitOptions& options, std::string_view name, const char* value
         else if (std::strcmp(value, "watertight") == 0)
             options.precision = Precision::Watertight;
         else if (std::strcmp(value, "precise") == 0)
-            return "not part of this release";
+            options.precision = Precision::Precise;
         else
-            return "neither fast nor watertight";
+            return "neither fast nor watertight nor precise";
     } else if (name == "--rt-offscreen") {
         if (!numberUpTo(value, 1u << 30)) return "not a number";
         return "needs a program with an rtut window";

@@ -75,8 +75,15 @@ std::optional<StateValue> frameValue(Context& context, RTenum name) {
     case RT_MULTISAMPLE: return number(settings.multisample);
     case RT_FRAMEBUFFER_SRGB: return number(settings.target.srgb);
     case RT_PRECISION_HINT:
-        return number(settings.precision == Precision::Fast ? RT_FASTEST : RT_DONT_CARE);
+        switch (settings.precision) {
+        case Precision::Fast: return number(RT_FASTEST);
+        case Precision::Watertight: return number(RT_DONT_CARE);
+        case Precision::Precise: return number(RT_NICEST);
+        }
+        return std::nullopt;
     case RT_FRAME_PROGRESS: return number(context.frames().progress());
+    case RT_FRAME_DEPTH: return number(context.frames().depth());
+    case RT_SCENE_BINDING: return number(context.recorder().boundScene());
     default: return std::nullopt;
     }
 }

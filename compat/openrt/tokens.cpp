@@ -63,6 +63,17 @@ RTenum tokenOf(MatrixMode mode) {
     return RT_TEXTURE;
 }
 
+RTenum tokenOf(FrameStatus status) {
+    switch (status) {
+    case FrameStatus::Queued: return RT_QUEUED;
+    case FrameStatus::Rendering: return RT_RENDERING;
+    case FrameStatus::Done: return RT_DONE;
+    case FrameStatus::Cancelled: return RT_CANCELLED;
+    case FrameStatus::Failed: break;
+    }
+    return RT_FAILED;
+}
+
 PixelFormat pixelFormatOf(RTenum format) {
     switch (format) {
     case RT_BGR_32: return PixelFormat::Bgr32f;

@@ -5,6 +5,7 @@
 #include "compat/recorder/matrix_stack.h"
 #include "compat/recorder/primitive_assembler.h"
 #include "libsmart/render/framebuffer.h"
+#include "libsmart/render/queued_frame.h"
 #include "libsmart/scene/query.h"
 #include "openrt/types.h"
 
@@ -13,6 +14,7 @@ namespace smart::compat {
 Primitive primitiveOf(RTenum mode);
 MatrixMode matrixModeOf(RTenum mode);
 RTenum tokenOf(MatrixMode mode);
+RTenum tokenOf(FrameStatus status);
 PixelFormat pixelFormatOf(RTenum format);
 Coherence coherenceOf(RTenum coherence);
 

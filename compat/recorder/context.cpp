@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "compat/recorder/frame_table.h"
 #include "libsmart/base/error.h"
 #include "libsmart/kernel/kernels.h"
 
@@ -24,6 +25,7 @@ struct ContextTable {
     ContextTable() { // what rendering needs has to end after this
         kernels();
         findBuiltinClass("");
+        frameTable();
     }
     std::mutex mutex;
     std::map<ContextId, Entry> entries;

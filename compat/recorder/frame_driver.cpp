@@ -1,67 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/frame_driver.h"
 
-#include <atomic>
 #include <utility>
 
+#include "compat/recorder/frame_table.h"
 #include "libsmart/base/error.h"
 
 namespace smart::compat {
-
-namespace {
-
-uint64_t nextFrameId() {
-    static std::atomic<uint64_t> last{0};
-    return ++last;
-}
-
-} // namespace
 
 FrameDriver::FrameDriver(Recorder& recorder, unsigned threads)
     : recorder_(recorder), renderer_(threads) {
     recorder_.setBuildThreads(renderer_.threads());
 }
 
-void FrameDriver::submit(const std::shared_ptr<const Frame>& frame) {
-    renderer_.submit(frame);
-    lastScene_ = frame->scene;
-}
-
-void FrameDriver::waitFor(uint64_t frame) {
-    const auto count = [&] {
-        const RenderStatistics now = renderer_.statistics();
-        frameStatistics_.primaryRays = now.primaryRays - before_.primaryRays;
-        frameStatistics_.shadowRays = now.shadowRays - before_.shadowRays;
-        frameStatistics_.secondaryRays = now.secondaryRays - before_.secondaryRays;
-        frameStatistics_.badPixels = now.badPixels - before_.badPixels;
-        before_ = now;
-    };
-    try {
-        renderer_.wait(frame);
-    } catch (...) {
-        count();
-        throw;
-    }
-    count();
+// Everything that may fail comes first; a listener may hear of the frame before this returns.
+QueuedFramePtr FrameDriver::submit(uint32_t* id) {
+    const std::shared_ptr<Frame> frame = recorder_.makeFrame();
+    const SceneStatistics sceneStatistics = statistics(*frame->scene);
+    QueuedFramePtr queued = renderer_.prepare(frame, listener_);
+    const uint32_t given = frameTable().add(*frame, queued);
+    if (id && given == FrameTable::kNoId)
+        throw Error(ErrorCode::OutOfMemory, "no frame id is left");
+    if (id) *id = given;
+    sceneStatistics_ = sceneStatistics;
+    renderer_.submit(queued);
+    return queued;
 }
 
 void FrameDriver::start() {
     recorder_.requireOutsideObject();
     if (inFlight_) throw Error(ErrorCode::InvalidOperation, "a frame is in flight already");
-    const std::shared_ptr<const Frame> frame = recorder_.makeFrame(nextFrameId());
-    submit(frame);
+    inFlight_ = submit();
     recorder_.clearScene();
-    finishedAdditions_ = 0;
-    inFlight_ = frame->id;
-    inFlightDone_ = false;
 }
 
 void FrameDriver::end() {
     recorder_.requireOutsideObject();
     if (!inFlight_) throw Error(ErrorCode::InvalidOperation, "no frame is in flight");
-    const uint64_t frame = *std::exchange(inFlight_, std::nullopt);
-    if (!inFlightDone_) waitFor(frame);
-    if (inFlightFailure_) std::rethrow_exception(std::exchange(inFlightFailure_, nullptr));
+    const QueuedFramePtr frame = std::exchange(inFlight_, nullptr);
+    frame->wait();
+    waitedFor(*frame);
+    if (const std::exception_ptr error = frame->takeError()) std::rethrow_exception(error);
 }
 
 void FrameDriver::render() {
@@ -71,38 +50,30 @@ void FrameDriver::render() {
 
 void FrameDriver::finish() {
     recorder_.requireOutsideObject();
-    if (inFlight_ && !inFlightDone_) {
-        try {
-            waitFor(*inFlight_);
-        } catch (...) {
-            inFlightFailure_ = std::current_exception();
-        }
-        inFlightDone_ = true;
+    if (!recorder_.sceneHasNews() || !recorder_.frameSettings().target.memory) {
+        renderer_.waitAll();
+        if (inFlight_) waitedFor(*inFlight_);
+        return;
     }
-    const uint64_t additions = recorder_.sceneAdditions();
-    if (additions == finishedAdditions_ || !recorder_.frameSettings().target.memory) return;
-    const std::shared_ptr<const Frame> frame = recorder_.makeFrame(nextFrameId());
-    submit(frame);
-    finishedAdditions_ = additions;
-    waitFor(frame->id);
+    const QueuedFramePtr frame = submit();
+    recorder_.sceneIsFinished();
+    renderer_.waitAll();
+    waitedFor(*frame);
+    if (const std::exception_ptr error = frame->takeError()) std::rethrow_exception(error);
 }
 
-float FrameDriver::progress() const {
-    return inFlight_ && !inFlightDone_ ? renderer_.progress(*inFlight_) : 1.0f;
+uint32_t FrameDriver::queue() {
+    recorder_.requireOutsideObject();
+    uint32_t id = 0;
+    submit(&id);
+    recorder_.clearScene();
+    return id;
 }
 
 void FrameDriver::setThreads(unsigned threads) {
     recorder_.requireOutsidePrimitive();
     renderer_.setThreads(threads);
     recorder_.setBuildThreads(renderer_.threads());
-}
-
-const SceneStatistics& FrameDriver::sceneStatistics() {
-    if (lastScene_) {
-        lastSceneStatistics_ = statistics(*lastScene_);
-        lastScene_.reset();
-    }
-    return lastSceneStatistics_;
 }
 
 } // namespace smart::compat

@@ -2,50 +2,57 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include "compat/recorder/recorder.h"
 #include "libsmart/render/renderer.h"
 
 namespace smart::compat {
 
-/// Starts the frames of one context and waits for them; one at a time is in flight. Belongs to
-/// the context's thread.
+/// Starts the frames of one context and waits for them. Belongs to the context's thread.
 class FrameDriver {
 public:
     FrameDriver(Recorder& recorder, unsigned threads);
 
-    /// Freezes the scene and queues it; leaves an empty one.
+    /// Freezes the bound scene and queues it; leaves an empty one. One such frame at a time.
     void start();
-    /// Waits for the frame of start(); rethrows what made it fail.
+    /// Waits for the frame of start(); rethrows what went wrong with it.
     void end();
     void render();
-    /// Renders and waits for what was given so far, unless nothing was since the last time.
+    /// Renders what was given so far, unless nothing was since the last time, and waits for all
+    /// frames.
     void finish();
+    /// Like start(), any number of times; the frame's id. Waits while the queue is full.
+    uint32_t queue();
+    /// A frame was waited for: from now on the statistics are its own.
+    void waitedFor(const QueuedFrame& frame) { frameStatistics_ = frame.statistics(); }
 
-    /// Of the frame in flight, 0..1; 1 without one.
-    float progress() const;
+    /// How many frames may be incomplete; 2 at the start.
+    void setDepth(unsigned depth) { renderer_.setDepth(depth); }
+    unsigned depth() const { return renderer_.depth(); }
+    /// Hears of the frames queued from now on.
+    void setListener(std::shared_ptr<FrameListener> listener) { listener_ = std::move(listener); }
+
+    /// Of the frame in flight by start(), 0..1; 1 without one.
+    float progress() const { return inFlight_ ? inFlight_->progress() : 1.0f; }
     /// Waits for frames in flight; 0: all cores.
     void setThreads(unsigned threads);
-    /// The scene of the frame started last; empty before the first.
-    const SceneStatistics& sceneStatistics();
+    /// The scene of the frame queued last; empty before the first.
+    const SceneStatistics& sceneStatistics() const { return sceneStatistics_; }
     /// Of the frame waited for last.
     const RenderStatistics& frameStatistics() const { return frameStatistics_; }
 
 private:
-    void waitFor(uint64_t frame);
-    void submit(const std::shared_ptr<const Frame>& frame);
+    /// `id`: where the frame's goes; without it there need be none.
+    QueuedFramePtr submit(uint32_t* id = nullptr);
 
     Recorder& recorder_;
     Renderer renderer_;
-    std::optional<uint64_t> inFlight_;
-    bool inFlightDone_ = false;
-    std::exception_ptr inFlightFailure_; ///< for end(), when something else had to wait
-    uint64_t finishedAdditions_ = 0;     ///< of the scene under way, at the last finish()
-    ScenePtr lastScene_;                 ///< nullptr: lastSceneStatistics_ holds
-    SceneStatistics lastSceneStatistics_;
-    RenderStatistics before_, frameStatistics_;
+    std::shared_ptr<FrameListener> listener_;
+    QueuedFramePtr inFlight_;
+    SceneStatistics sceneStatistics_;
+    RenderStatistics frameStatistics_;
 };
 
 } // namespace smart::compat

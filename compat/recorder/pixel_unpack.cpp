@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "libsmart/base/half.h"
+
 namespace smart::compat {
 
 namespace {
@@ -29,26 +31,20 @@ OrderInfo info(PixelOrder order) {
 
 void writeOne(TexelType type, std::byte* out) {
     const float one = 1.0f;
+    const uint16_t half = floatToHalf(one);
     if (type == TexelType::Float)
         std::memcpy(out, &one, sizeof one);
+    else if (type == TexelType::Half)
+        std::memcpy(out, &half, sizeof half);
     else
-        std::memset(out, 0xFF, texelSize(type));
+        std::memset(out, 0xFF, bytesPerChannel(type));
 }
 
 } // namespace
 
-std::size_t texelSize(TexelType type) {
-    switch (type) {
-    case TexelType::Byte: return 1;
-    case TexelType::Short: return 2;
-    case TexelType::Float: break;
-    }
-    return 4;
-}
-
 std::vector<std::byte> unpackImage(const ImageSource& source, const PixelStore& store,
                                    uint32_t channels) {
-    const std::size_t size = texelSize(source.type);
+    const std::size_t size = bytesPerChannel(source.type);
     std::vector<std::byte> texels(std::size_t(source.width) * source.height * channels * size);
     if (!source.pixels) return texels;
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libsmart/shading/texture.h"
+#include "libsmart/shading/texture_image.h"
 
 namespace smart::compat {
 
@@ -19,7 +19,7 @@ struct PixelStore {
 
 enum class PixelOrder : uint8_t { Luminance, LuminanceAlpha, Rgb, Rgba, Bgr, Bgra };
 
-/// An image of the application's, as rtTexImage2D names it.
+/// An image of the application's, as rtTexImage2D and rtTexSubImage2D name it.
 struct ImageSource {
     const void* pixels; ///< nullptr: an image of zeros
     uint32_t width, height;
@@ -27,11 +27,9 @@ struct ImageSource {
     TexelType type;
 };
 
-/// Tightly packed texels of 1 to 4 channels (as Texture has them). Alpha that the source lacks is
+/// Tightly packed texels of 1 to 4 channels (as TextureImage has them). Alpha that the source lacks is
 /// 1; the luminance of colours is their red, as in OpenGL.
 std::vector<std::byte> unpackImage(const ImageSource& source, const PixelStore& store,
                                    uint32_t channels);
-
-std::size_t texelSize(TexelType type);
 
 } // namespace smart::compat

@@ -18,7 +18,7 @@ void Recorder::requireOutsideObject() const {
 
 void Recorder::begin(Primitive primitive) {
     if (insidePrimitive_) throw Error(ErrorCode::InvalidOperation, "begin without an end before");
-    GeometryRecording& geometry = open_ ? open_->recording : scene_.loose;
+    GeometryRecording& geometry = open_ ? open_->recording : scene().loose;
     geometry.begin(primitive);
     normalMatrix_ = makeNormalMatrix(matrices_.modelView());
     insidePrimitive_ = true;
@@ -43,15 +43,15 @@ void Recorder::vertex(const glm::dvec4& position) {
         open_->recording.vertex(place, attributes_, normal, shader);
         return;
     }
-    GeometryRecording& loose = scene_.loose;
+    GeometryRecording& loose = scene().loose;
     if (loose.empty()) { // a run starts
         loose.given = {false, normalEverGiven_, false};
-        scene_.looseInherited.color = attributes_.color;
-        scene_.looseInherited.normal = attributes_.normal;
-        scene_.looseInherited.texCoord = attributes_.texCoord;
+        scene().looseInherited.color = attributes_.color;
+        scene().looseInherited.normal = attributes_.normal;
+        scene().looseInherited.texCoord = attributes_.texCoord;
     }
     loose.vertex(place, attributes_, normal, shader);
-    ++scene_.additions;
+    ++scene().additions;
 }
 
 // A loose run stores an attribute from the first call on that changes it; an object from the
@@ -60,7 +60,7 @@ void Recorder::color(const glm::vec4& color) {
     if (open_)
         open_->recording.given.color = true;
     else if (color != attributes_.color)
-        scene_.loose.given.color = true;
+        scene().loose.given.color = true;
     attributes_.color = color;
 }
 
@@ -68,7 +68,7 @@ void Recorder::texCoord(const glm::vec4& texCoord) {
     if (open_)
         open_->recording.given.texCoord = true;
     else if (texCoord != attributes_.texCoord)
-        scene_.loose.given.texCoord = true;
+        scene().loose.given.texCoord = true;
     attributes_.texCoord = texCoord;
 }
 
@@ -76,7 +76,7 @@ void Recorder::normal(const glm::vec3& normal) {
     if (open_) {
         open_->recording.given.normal = true;
     } else {
-        scene_.loose.given.normal = true;
+        scene().loose.given.normal = true;
         normalEverGiven_ = true;
     }
     attributes_.normal = normal;

@@ -14,7 +14,7 @@
 #include "compat/recorder/matrix_stack.h"
 #include "compat/recorder/model_compiler.h"
 #include "compat/recorder/pixel_unpack.h"
-#include "compat/recorder/scene_recording.h"
+#include "compat/recorder/scene_store.h"
 #include "compat/recorder/shader_catalog.h"
 #include "compat/recorder/texture_store.h"
 
@@ -23,8 +23,8 @@ namespace smart::compat {
 enum class ObjectMode : uint8_t { Define, DefineAndInstantiate };
 enum class UniqueShader : uint8_t { Camera, Environment, RenderingObject };
 
-/// The state machine behind the immediate calls: attributes, matrices, objects, and the scene of
-/// the frame under way. Everything it hands on is immutable. Belongs to one context's thread.
+/// The state machine behind the immediate calls: attributes, matrices, objects, and the scenes of
+/// the frames under way. Everything it hands on is immutable. Belongs to one context's thread.
 ///
 /// Every function checks first and throws Error before it changes anything; when memory runs out
 /// nothing has changed either.
@@ -72,17 +72,26 @@ public:
     /// Ids of the shaders of an object in order of first use.
     const std::vector<UsedShader>& objectShaders(uint32_t id) const;
 
+    // Scenes. What follows acts on the bound one, as everything that adds to a frame does.
+    uint32_t newScene();
+    void bindScene(uint32_t id);
+    void removeScene(uint32_t id);
+    uint32_t boundScene() const { return scenes_.boundId(); }
+
     // The frame under way.
     void useLight(uint32_t shader, bool checkTwice);
     void useUnique(UniqueShader what, uint32_t shader);
-    /// How much was added to the scene under way.
-    uint64_t sceneAdditions() const { return scene_.additions; }
     /// The scene so far, which stays open.
     ScenePtr compileScene();
     /// Everything described so far as a frame; the scene stays open.
-    std::shared_ptr<const Frame> makeFrame(uint64_t id);
+    std::shared_ptr<Frame> makeFrame();
     /// Starts a new, empty scene.
-    void clearScene() noexcept { scene_ = SceneRecording(); }
+    void clearScene() noexcept { scene() = SceneRecording(); }
+    /// Whether something was added since sceneIsFinished().
+    bool sceneHasNews() const {
+        return scenes_.bound().additions != scenes_.bound().finishedAdditions;
+    }
+    void sceneIsFinished() noexcept { scene().finishedAdditions = scene().additions; }
 
 private:
     struct Object {
@@ -96,6 +105,7 @@ private:
         Matrices savedMatrices;
         Attributes savedAttributes;
     };
+    SceneRecording& scene() { return scenes_.bound(); }
     const Object& object(uint32_t id) const;
     void openObject(uint32_t id, ObjectMode mode);
     /// `shaders`: those that the instance uses in the end.
@@ -110,6 +120,7 @@ private:
     /// The loose run under way as an instance; the run stays open. Nothing without triangles.
     std::optional<Instance> looseInstance();
     std::vector<Instance> allInstances();
+    void resumeLooseRun() noexcept;
 
     bool insidePrimitive_ = false;
     Attributes attributes_;
@@ -125,7 +136,7 @@ private:
     std::map<uint32_t, Object> objects_;
     uint32_t lastObject_ = 0;
     std::unique_ptr<OpenObject> open_;
-    SceneRecording scene_;
+    SceneStore scenes_;
 
     // Of the model-view matrix that the current primitive began with.
     glm::dmat3 normalMatrix_{1.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frame under way: what it uses, and how it is frozen.
+// Scenes and the frame under way: what it uses, and how it is frozen.
 #include <algorithm>
 #include <string>
 
@@ -11,7 +11,7 @@ namespace smart::compat {
 
 namespace {
 
-[[noreturn]] void refuse(const char* reason) {
+[[noreturn]] void refuse(const std::string& reason) {
     throw Error(ErrorCode::InvalidOperation, reason);
 }
 
@@ -28,6 +28,34 @@ void checkTarget(const PixelTarget& target) {
 
 } // namespace
 
+uint32_t Recorder::newScene() {
+    requireOutsideObject();
+    return scenes_.add();
+}
+
+void Recorder::bindScene(uint32_t id) {
+    requireOutsideObject();
+    scenes_.bind(id);
+    resumeLooseRun();
+}
+
+void Recorder::removeScene(uint32_t id) {
+    requireOutsideObject();
+    const bool wasBound = id == scenes_.boundId();
+    scenes_.remove(id);
+    if (wasBound) resumeLooseRun();
+}
+
+// Attributes may have changed while another scene was bound: from the next vertex on a run under
+// way stores those that are not what its instance inherits.
+void Recorder::resumeLooseRun() noexcept {
+    if (scene().loose.empty()) return;
+    AttributesGiven& given = scene().loose.given;
+    given.color |= attributes_.color != scene().looseInherited.color;
+    given.normal |= normalEverGiven_;
+    given.texCoord |= attributes_.texCoord != scene().looseInherited.texCoord;
+}
+
 std::shared_ptr<Shader> Recorder::shaderOfKind(uint32_t id, RTenum kind,
                                                const char* kindName) const {
     const BoundShaderPtr& shader = shaders_.shader(id);
@@ -40,11 +68,11 @@ std::shared_ptr<Shader> Recorder::shaderOfKind(uint32_t id, RTenum kind,
 void Recorder::useLight(uint32_t id, bool checkTwice) {
     requireOutsideObject();
     std::shared_ptr<Shader> light = shaderOfKind(id, RT_LIGHT_SHADER, "light shader");
-    std::vector<std::shared_ptr<Shader>>& lights = scene_.lights;
+    std::vector<std::shared_ptr<Shader>>& lights = scene().lights;
     if (checkTwice && std::find(lights.begin(), lights.end(), light) != lights.end())
         refuse("the frame has this light already");
     lights.push_back(std::move(light));
-    ++scene_.additions;
+    ++scene().additions;
 }
 
 void Recorder::useUnique(UniqueShader what, uint32_t id) {
@@ -55,15 +83,15 @@ void Recorder::useUnique(UniqueShader what, uint32_t id) {
         std::shared_ptr<Shader>* place;
     };
     const Role role = what == UniqueShader::Camera
-                          ? Role{RT_CAMERA_SHADER, "camera shader", &scene_.camera}
+                          ? Role{RT_CAMERA_SHADER, "camera shader", &scene().camera}
                       : what == UniqueShader::Environment
-                          ? Role{RT_ENV_SHADER, "environment shader", &scene_.environment}
+                          ? Role{RT_ENV_SHADER, "environment shader", &scene().environment}
                           : Role{RT_RENDERING_OBJECT_SHADER, "rendering object",
-                                 &scene_.renderingObject};
+                                 &scene().renderingObject};
     std::shared_ptr<Shader> shader = shaderOfKind(id, role.kind, role.name);
     if (*role.place) refuse("the frame has one of this kind already");
     *role.place = std::move(shader);
-    ++scene_.additions;
+    ++scene().additions;
 }
 
 ScenePtr Recorder::compileScene() {
@@ -71,25 +99,28 @@ ScenePtr Recorder::compileScene() {
     return compiler_.makeScene(allInstances(), frameSettings_.precision);
 }
 
-std::shared_ptr<const Frame> Recorder::makeFrame(uint64_t id) {
+std::shared_ptr<Frame> Recorder::makeFrame() {
     requireOutsideObject();
     const FrameSettings& settings = frameSettings_;
     checkTarget(settings.target);
     const auto frame = std::make_shared<Frame>();
     frame->matrixCamera.projection = matrices_.projection();
-    if (!scene_.camera && !invert(matrices_.projection(), frame->matrixCamera.inverse))
+    if (!scene().camera && !invert(matrices_.projection(), frame->matrixCamera.inverse))
         refuse("the projection matrix has no inverse, and there is no camera shader");
 
-    frame->id = id;
     frame->shaders = shaders_.freeze();
     frame->textures = textures_.freeze();
     const auto frozen = [&](const std::shared_ptr<Shader>& shader) {
-        return shader ? frame->shaders->at(shader->index()) : nullptr;
+        const auto object = shader ? frame->shaders->at(shader->index()) : nullptr;
+        if (shader && !object)
+            refuse("the constructor of shader class '" + shader->shaderClass()->name() +
+                   "' failed");
+        return object;
     };
-    for (const auto& light : scene_.lights) frame->lights.push_back(frozen(light));
-    frame->environment = frozen(scene_.environment);
-    frame->camera = frozen(scene_.camera);
-    frame->renderingObject = frozen(scene_.renderingObject);
+    for (const auto& light : scene().lights) frame->lights.push_back(frozen(light));
+    frame->environment = frozen(scene().environment);
+    frame->camera = frozen(scene().camera);
+    frame->renderingObject = frozen(scene().renderingObject);
 
     frame->clearColor = settings.clearColor;
     frame->target = settings.target;

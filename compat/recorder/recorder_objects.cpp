@@ -148,30 +148,30 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
 template <class Complete>
 void Recorder::placeInScene(Instance instance, Complete&& complete) {
     std::optional<Instance> loose = looseInstance();
-    std::vector<Instance>& list = scene_.instances;
+    std::vector<Instance>& list = scene().instances;
     if (list.capacity() - list.size() < 2) list.reserve(2 * list.capacity() + 2);
     complete(instance);
     if (loose) {
         list.push_back(std::move(*loose));
-        scene_.loose = GeometryRecording();
+        scene().loose = GeometryRecording();
     }
     list.push_back(std::move(instance));
-    ++scene_.additions;
+    ++scene().additions;
 }
 
 std::optional<Instance> Recorder::looseInstance() {
-    if (scene_.loose.triangleCount() == 0) return std::nullopt;
-    GeometryRecording copy = scene_.loose;
+    if (scene().loose.triangleCount() == 0) return std::nullopt;
+    GeometryRecording copy = scene().loose;
     Instance instance;
     instance.model = compiler_.compile(copy);
-    instance.inherited = scene_.looseInherited;
+    instance.inherited = scene().looseInherited;
     return instance;
 }
 
 std::vector<Instance> Recorder::allInstances() {
     std::vector<Instance> all;
-    all.reserve(scene_.instances.size() + 1);
-    all = scene_.instances;
+    all.reserve(scene().instances.size() + 1);
+    all = scene().instances;
     if (std::optional<Instance> loose = looseInstance()) all.push_back(std::move(*loose));
     return all;
 }

@@ -10,7 +10,7 @@
 
 namespace smart::compat {
 
-/// What the frame under way consists of so far.
+/// What the next frame of a scene consists of so far.
 struct SceneRecording {
     std::vector<Instance> instances;
     /// Loose primitives since the last instance; their inherited attributes are those current at
@@ -21,7 +21,8 @@ struct SceneRecording {
     std::vector<std::shared_ptr<Shader>> lights;
     std::shared_ptr<Shader> camera, environment, renderingObject;
 
-    uint64_t additions = 0; ///< calls that added something
+    uint64_t additions = 0;         ///< calls that added something
+    uint64_t finishedAdditions = 0; ///< those that are in the last picture that left it open
 };
 
 } // namespace smart::compat

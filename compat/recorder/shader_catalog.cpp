@@ -101,15 +101,12 @@ uint32_t ShaderCatalog::parameterHandle(std::string_view name) {
     if (parameter < 0)
         throw Error(ErrorCode::InvalidValue,
                     "class " + bound->name() + " has no parameter '" + std::string(name) + "'");
-    const auto [entry, isNew] =
-        handleOf_.try_emplace({bound.get(), uint32_t(parameter)}, uint32_t(handles_.size() + 1));
-    if (isNew) {
-        try {
-            handles_.push_back({bound, uint32_t(parameter)});
-        } catch (...) {
-            handleOf_.erase(entry);
-            throw;
-        }
+    const auto entry = handleOf_.try_emplace({bound.get(), uint32_t(parameter)}, 0).first;
+    const bool known = entry->second != 0 &&
+                       handles_[entry->second - 1].shaderClass.lock() == bound; // not its successor
+    if (!known) {
+        handles_.push_back({bound, uint32_t(parameter)});
+        entry->second = uint32_t(handles_.size());
     }
     return entry->second;
 }
@@ -119,10 +116,12 @@ void ShaderCatalog::setParameter(uint32_t handle, const ParameterValue& value) {
         throw Error(ErrorCode::InvalidValue,
                     "no parameter has the handle " + std::to_string(handle));
     const Handle& target = handles_[handle - 1];
-    const RTSparameter& parameter = target.shaderClass->parameter(target.parameter);
-    if (bound_->shader->shaderClass() != target.shaderClass)
-        throw Error(ErrorCode::InvalidOperation, "the bound shader is not of class " +
-                                                     target.shaderClass->name());
+    const ShaderClassPtr owner = target.shaderClass.lock();
+    if (!owner) throw Error(ErrorCode::InvalidOperation, "the class of the handle is gone");
+    const RTSparameter& parameter = owner->parameter(target.parameter);
+    if (bound_->shader->shaderClass() != owner)
+        throw Error(ErrorCode::InvalidOperation,
+                    "the bound shader is not of class " + owner->name());
     if (parameter.type != value.type ||
         (value.type != RTS_STRING && valueSize(parameter) != value.bytes.size()))
         throw Error(ErrorCode::InvalidOperation,

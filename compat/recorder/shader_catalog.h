@@ -52,6 +52,8 @@ public:
     void bindClass(uint32_t id);
     void removeClass(uint32_t id);
     uint32_t boundClass() const { return boundClass_; }
+    /// Throws Error (InvalidValue) for an unknown id.
+    const ShaderClassPtr& shaderClass(uint32_t id) const;
 
     uint32_t newShader();
     void bindShader(uint32_t id);
@@ -67,10 +69,9 @@ public:
 
 private:
     struct Handle {
-        ShaderClassPtr shaderClass;
+        std::weak_ptr<const ShaderClass> shaderClass; ///< a handle keeps no library loaded
         uint32_t parameter;
     };
-    const ShaderClassPtr& shaderClass(uint32_t id) const;
     BoundShaderPtr makeShader(uint32_t id, uint32_t classId, std::shared_ptr<Shader> shader);
 
     ShaderRegistry registry_;

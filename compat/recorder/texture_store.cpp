@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/texture_store.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "libsmart/base/error.h"
 
 namespace smart::compat {
+
+TextureStore::TextureStore() {
+    objects_[0].everBound = true;
+}
 
 uint32_t TextureStore::generate() {
     if (objects_.size() > kMaxId) throw Error(ErrorCode::OutOfMemory, "all texture ids are in use");
@@ -31,33 +38,132 @@ bool TextureStore::exists(uint32_t id) const {
     return id != 0 && found != objects_.end() && found->second.everBound;
 }
 
-void TextureStore::setImage(std::shared_ptr<const Texture> image) {
+void TextureStore::setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat) {
     Object& object = objects_.at(bound_);
-    if (image) object.options = image->options();
-    object.image = std::move(image);
-    object.stale = false;
+    const bool given = image != nullptr;
+    if (given)
+        object.levels[level] = {std::move(image), internalFormat};
+    else
+        object.levels.erase(level);
+    if (level == object.madeFrom) object.madeFrom.reset();
+    const TextureParameters& p = object.parameters;
+    if (given && p.generateMipmap && level == p.options.firstLevel) {
+        object.madeFrom = level;
+        object.levels.erase(object.levels.upper_bound(level), object.levels.end());
+    }
+    object.images.reset();
+    object.stale = true;
     table_.reset();
 }
 
-const TextureOptions& TextureStore::options() const {
-    return objects_.at(bound_).options;
+TextureImagePtr TextureStore::image(uint32_t level) const {
+    const Object& object = objects_.at(bound_);
+    if (const Level* given = object.find(level)) return given->image;
+    if (!object.madeFrom || level < *object.madeFrom || level > object.lastMade()) return nullptr;
+    TextureImagePtr made = object.find(*object.madeFrom)->image;
+    for (uint32_t i = *object.madeFrom; i < level; ++i)
+        made = std::make_shared<const TextureImage>(reducedImage(*made));
+    return made;
 }
 
-void TextureStore::setOptions(const TextureOptions& options) {
+TextureLevelInfo TextureStore::info(uint32_t level) const {
+    const Object& object = objects_.at(bound_);
+    uint32_t from = level;
+    if (!object.find(level)) {
+        if (!object.madeFrom || level < *object.madeFrom || level > object.lastMade()) return {};
+        from = *object.madeFrom;
+    }
+    const Level& source = *object.find(from);
+    TextureLevelInfo info{source.image->width(), source.image->height(), source.image->channels(),
+                          source.image->type(), source.internalFormat};
+    for (; from < level; ++from) {
+        info.width = nextLevelSide(info.width);
+        info.height = nextLevelSide(info.height);
+    }
+    return info;
+}
+
+void TextureStore::setParameters(const TextureParameters& parameters) {
     Object& object = objects_.at(bound_);
-    object.options = options;
-    object.stale = object.image != nullptr;
+    object.parameters = parameters;
+    object.stale = true;
     table_.reset();
+}
+
+const TextureStore::Level* TextureStore::Object::find(uint32_t level) const {
+    const auto found = levels.find(level);
+    return found == levels.end() ? nullptr : &found->second;
+}
+
+uint32_t TextureStore::Object::lastMade() const {
+    const TextureImage& image = *find(*madeFrom)->image;
+    return *madeFrom + levelCount(image.width(), image.height()) - 1;
+}
+
+/// Whether the levels have the sizes and formats that mipmaps of the first one have.
+bool TextureStore::Object::complete(uint32_t start, uint32_t count) const {
+    const Level& first = *find(start);
+    uint32_t width = first.image->width(), height = first.image->height();
+    for (uint32_t number = start; number < start + count; ++number) {
+        const Level* level = find(number);
+        const bool made = !level && madeFrom && start >= *madeFrom && number <= lastMade();
+        const bool fits = level && level->image->width() == width &&
+                          level->image->height() == height &&
+                          level->internalFormat == first.internalFormat;
+        if (!made && !fits) return false;
+        width = nextLevelSide(width);
+        height = nextLevelSide(height);
+    }
+    return true;
+}
+
+/// Sets `images` to levels start, start + 1, ...; `all`: with those that were given.
+void TextureStore::Object::gather(uint32_t start, uint32_t count, bool all) {
+    if (images && imagesStart == start && images->count() == count) return;
+    std::vector<TextureImagePtr> given{find(start)->image};
+    for (uint32_t number = start + 1; all && number < start + count; ++number) {
+        const Level* level = find(number);
+        given.push_back(level ? level->image : nullptr);
+    }
+    images = std::make_shared<const TextureLevels>(std::move(given), count);
+    imagesStart = start;
+}
+
+// OpenGL 1.5, section 3.8.10, on completeness; see freeze() in the header for what comes of its
+// lack.
+void TextureStore::Object::freeze() {
+    const uint32_t base = parameters.options.firstLevel;
+    uint32_t start = base;
+    if (!find(base)) { // it may be one of those that are made
+        if (!madeFrom || base < *madeFrom || base > lastMade()) {
+            texture.reset();
+            stale = false;
+            return;
+        }
+        start = *madeFrom;
+    }
+    const TextureImage& first = *find(start)->image;
+    const uint32_t end = start + levelCount(first.width(), first.height());
+    const uint32_t wanted = parameters.options.lastLevel < end - 1
+                                ? std::max(parameters.options.lastLevel, base) + 1
+                                : end;
+    TextureOptions options = parameters.options;
+    options.firstLevel = base - start;
+    options.lastLevel = end;
+    const bool whole = parameters.options.lastLevel >= base && complete(start, wanted - start);
+    gather(start, whole ? wanted - start : base - start + 1, whole);
+    if (!whole && options.minification.levels != LevelChoice::First)
+        options.minification = {options.magnification, LevelChoice::First};
+    texture = std::make_shared<const Texture>(images, options);
+    stale = false;
 }
 
 std::shared_ptr<const TextureTable> TextureStore::freeze() {
     if (table_) return table_;
     auto table = std::make_shared<TextureTable>(objects_.rbegin()->first + 1);
     for (auto& [id, object] : objects_) {
-        if (object.stale)
-            object.image = std::make_shared<const Texture>(object.image->withOptions(object.options));
-        object.stale = false;
-        if (id != 0) (*table)[id] = object.image;
+        if (object.stale) object.freeze();
+        if (id != 0) (*table)[id] = object.texture;
     }
     return table_ = std::move(table);
 }

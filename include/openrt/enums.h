@@ -54,6 +54,7 @@
 #define RT_3_BYTES 0x1408
 #define RT_4_BYTES 0x1409
 #define RT_DOUBLE 0x140A
+#define RT_HALF_FLOAT 0x140B /* 16 bits, IEEE 754; with OpenGL 3.0's value */
 
 /* What ray tracing adds to OpenGL's state (rtEnable, rtMaterial, rtShadeModel) */
 #define RT_SHADOWS 0x7F000     /* enable: lights of the fixed-function surface cast shadows */
@@ -100,6 +101,8 @@
 #define RT_SHADER_BINDING 0x7F046       /* rtGetIntegerv: the bound shader */
 #define RT_SHADER_CLASS_BINDING 0x7F047 /* rtGetIntegerv: the bound shader class */
 #define RT_OBJECT_SHADER_COUNT 0x7F048  /* rtGetObjectiv: how many shaders an object uses */
+#define RT_ISA_NAMES 0x7F049      /* rtGetString: the instruction sets that can be used */
+#define RT_SHADER_FOLDERS 0x7F04A /* rtGetString: where shader libraries are looked for */
 
 /* Frames (rtFrameStatus, rtSetFrameCallback) */
 #define RT_QUEUED 0x7F050         /* no tile of the frame has been started */
@@ -108,6 +111,8 @@
 #define RT_CANCELLED 0x7F053      /* rtCancelFrame came before the last tile */
 #define RT_FAILED 0x7F054         /* the library could not finish the frame */
 #define RT_FRAME_PROGRESS 0x7F055 /* callback event: a tile has been delivered */
+#define RT_FRAME_DEPTH 0x7F056    /* rtGetIntegerv: how many frames may be in flight */
+#define RT_SCENE_BINDING 0x7F057  /* rtGetIntegerv: the bound scene */
 
 /* Statistics (rtGetIntegerv, rtGetInteger64v) */
 #define RT_STAT_TRIANGLES 0x7F100          /* triangles of the last frame, each model once */

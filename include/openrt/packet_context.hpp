@@ -161,8 +161,13 @@ public:
     RTuint lightCount() const { return Calls::lightCount(packet_); }
     /// Lanes to which the light contributes; the samples of the others are unspecified.
     Mask illuminate(RTuint light, LightSample& sample) {
+        return illuminate(light, sample, active());
+    }
+    /// Of a light with an extent no random numbers are drawn in lanes not wanted.
+    Mask illuminate(RTuint light, LightSample& sample, Mask wanted) {
         RTSlightpacket s = {};
-        const Mask lit(Calls::illuminate(packet_, packet_->active, light, s));
+        const RTuint asked = lanes(wanted);
+        const Mask lit(asked ? Calls::illuminate(packet_, asked, light, s) & asked : 0);
         sample = {Vec3(s.direction), Float(s.distance), Color(s.radiance)};
         return lit;
     }

@@ -9,6 +9,7 @@
  *   rt_shaders.h   shader classes, shaders, their parameters
  *   rt_textures.h  images for shaders
  *   rt_frame.h     frame buffers, what a frame consists of, rendering
+ *   rt_queue.h     several scenes, frames in flight
  *   rt_query.h     rays from the application
  *   rt_gl.h        the functions of OpenGL 1.5 that this release declares and refuses
  *
@@ -50,6 +51,7 @@
 #include "openrt/rt_gl.h"
 #include "openrt/rt_objects.h"
 #include "openrt/rt_query.h"
+#include "openrt/rt_queue.h"
 #include "openrt/rt_shaders.h"
 #include "openrt/rt_state.h"
 #include "openrt/rt_textures.h"

@@ -14,7 +14,7 @@ extern "C" {
  * taken out of argv, and *argcp is lowered:
  *   --rt-threads N        threads that render, 0 = all cores (environment: OPENRT_THREADS)
  *   --rt-isa NAME         generic, sse4, avx2, avx512 (environment: OPENRT_ISA)
- *   --rt-precision NAME   fast or watertight
+ *   --rt-precision NAME   fast, watertight or precise
  *   --rt-samples N        as rtSamples
  *   --rt-offscreen N  --rt-output PATTERN  --rt-size WxH   for programs with rtut windows
  * A bad value prints one line on stderr and is ignored.
@@ -69,8 +69,10 @@ RTAPI void RTAPIENTRY rtErrorCallback(void(RTAPIENTRY *cb)(RTenum code, const ch
                                       void *user);
 
 /* Text about the library: RT_VERSION, RT_VENDOR, RT_RENDERER, RT_ISA (the instruction set that
- * the kernels use: generic, sse4, avx2, avx512 or neon). Lives as long as the library; NULL on
- * error.
+ * the kernels use: generic, sse4, avx2, avx512 or neon), RT_ISA_NAMES (those that library and
+ * machine have, best first, with spaces between), RT_SHADER_FOLDERS (where shader libraries are
+ * looked for, with colons between). Lives as long as the library, RT_SHADER_FOLDERS until it is
+ * asked for again on the thread; NULL on error.
  * Errors:  RT_INVALID_ENUM  another name
  * Threads: the context's. Since: 0.1 */
 RTAPI const RTubyte *RTAPIENTRY rtGetString(RTenum name);
@@ -83,10 +85,10 @@ RTAPI void RTAPIENTRY rtThreads(RTuint n);
 
 /* rtHint(RT_PRECISION_HINT, mode): how exact intersections are; read when a frame is started or
  * a scene compiled. RT_FASTEST: edges between triangles may let rays through. RT_DONT_CARE
- * (start): watertight. Not in an object.
+ * (start): watertight. RT_NICEST: precise, the nearest hit that exact arithmetic finds for the
+ * numbers as given. Not in an object.
  * Errors:  RT_INVALID_ENUM       target or mode is no such token
- *          RT_INVALID_OPERATION  RT_NICEST (precise), and OpenGL's own targets: not part of this
- *                                release
+ *          RT_INVALID_OPERATION  OpenGL's own targets: not part of this release
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode);
 

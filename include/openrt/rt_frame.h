@@ -74,8 +74,8 @@ RTAPI void RTAPIENTRY rtUseCamera(RTuint shader);
 RTAPI void RTAPIENTRY rtUseEnvironmentShader(RTuint shader);
 RTAPI void RTAPIENTRY rtUseRenderingObject(RTuint shader);
 
-/* Freezes what was described as a frame, starts to render it and returns at once; the application
- * has a new, empty scene. Not in an object.
+/* Freezes the bound scene as a frame, starts to render it and returns at once, unless the queue of
+ * frames is full (rtFrameDepth); the scene is empty then. Not in an object.
  * Errors:  RT_INVALID_OPERATION  no frame buffer; a stride that holds no row; a frame started by
  *                                this call is in flight; a projection matrix without an inverse
  *                                and no camera shader
@@ -83,8 +83,10 @@ RTAPI void RTAPIENTRY rtUseRenderingObject(RTuint shader);
 RTAPI void RTAPIENTRY rtStartRendering(void);
 
 /* Waits for the frame that rtStartRendering started. Not in an object.
- * Errors:  RT_INVALID_OPERATION  none in flight
- *          what went wrong while it was rendered
+ * Errors:  RT_INVALID_OPERATION  none in flight; or the picture is complete but for pixels
+ *                                (RT_STAT_BAD_PIXELS) in which a shader failed: they are black
+ *          what else went wrong while it was rendered
+ *          (each is recorded once, here or by rtWaitFrame)
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtEndRendering(void);
 
@@ -93,31 +95,14 @@ RTAPI void RTAPIENTRY rtEndRendering(void);
  * threads as of these two. Since: 0.1 */
 RTAPI void RTAPIENTRY rtRender(void);
 
-/* Renders what was given so far, waits for it, and leaves the scene open. Does not render again
- * what nothing was added to since. Without a frame buffer there is nothing to do. Not in an
- * object. Errors and threads as of rtRender. Since: 0.1 */
+/* Renders what the bound scene was given so far, unless nothing was added to it since the last
+ * time or there is no frame buffer, and leaves it open; waits for this and for all other frames of
+ * the context. Not in an object. Errors and threads as of rtRender. Since: 0.1 */
 RTAPI void RTAPIENTRY rtFinish(void);
 
 /* Has no effect: outside windows with a single buffer nothing is pending that could be shown.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtFlush(void);
-
-/* Several scenes and frames in flight. Not part of this release: each records
- * RT_INVALID_OPERATION and returns RT_INVALID, RT_FALSE or 0.
- * Threads: the context's. Since: 0.1 */
-RTAPI RTuint RTAPIENTRY rtGenScene(void);
-RTAPI void RTAPIENTRY rtBindScene(RTuint scene);
-RTAPI void RTAPIENTRY rtDeleteScene(RTuint scene);
-RTAPI RTuint RTAPIENTRY rtQueueFrame(void);
-RTAPI void RTAPIENTRY rtFrameDepth(RTuint n);
-RTAPI RTboolean RTAPIENTRY rtWaitFrame(RTuint frame);
-RTAPI RTenum RTAPIENTRY rtFrameStatus(RTuint frame);
-RTAPI RTfloat RTAPIENTRY rtFrameProgress(RTuint frame);
-RTAPI void RTAPIENTRY rtCancelFrame(RTuint frame);
-RTAPI void RTAPIENTRY rtSetFrameCallback(void(RTAPIENTRY *cb)(RTuint frame, RTenum event, RTint x,
-                                                              RTint y, RTsizei w, RTsizei h,
-                                                              void *user),
-                                         void *user);
 
 #ifdef __cplusplus
 }

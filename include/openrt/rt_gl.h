@@ -283,14 +283,6 @@ RTAPI void RTAPIENTRY rtTexEnvfv(RTenum target, RTenum pname, const RTfloat *par
 RTAPI void RTAPIENTRY rtTexEnviv(RTenum target, RTenum pname, const RTint *params);
 RTAPI void RTAPIENTRY rtGetTexEnvfv(RTenum target, RTenum pname, RTfloat *params);
 RTAPI void RTAPIENTRY rtGetTexEnviv(RTenum target, RTenum pname, RTint *params);
-RTAPI void RTAPIENTRY rtTexParameterfv(RTenum target, RTenum pname, const RTfloat *params);
-RTAPI void RTAPIENTRY rtTexParameteriv(RTenum target, RTenum pname, const RTint *params);
-RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum target, RTenum pname, RTfloat *params);
-RTAPI void RTAPIENTRY rtGetTexParameteriv(RTenum target, RTenum pname, RTint *params);
-RTAPI void RTAPIENTRY rtGetTexLevelParameterfv(RTenum target, RTint level, RTenum pname,
-                                               RTfloat *params);
-RTAPI void RTAPIENTRY rtGetTexLevelParameteriv(RTenum target, RTint level, RTenum pname,
-                                               RTint *params);
 RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTint border, RTenum format, RTenum type, const void *pixels);
 RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, RTenum type,
@@ -301,9 +293,6 @@ RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei n, const RTuint *textur
                                                  RTboolean *residences);
 RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTsizei width,
                                       RTenum format, RTenum type, const void *pixels);
-RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
-                                      RTsizei width, RTsizei height, RTenum format, RTenum type,
-                                      const void *pixels);
 RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum target, RTint level, RTenum internalformat, RTint x,
                                        RTint y, RTsizei width, RTint border);
 RTAPI void RTAPIENTRY rtCopyTexImage2D(RTenum target, RTint level, RTenum internalformat, RTint x,

@@ -14,12 +14,33 @@ extern "C" {
 
 struct RTshaderclass;
 
-/* Id of the class of this name: built in, or registered by rtRegisterShaderClass. Binds the class
- * and shader 0. Every call gives a new id. `fileName` must be NULL: this release loads no shader
- * libraries. RT_INVALID on error.
- * Errors:  RT_INVALID_VALUE  shaderName NULL or unknown, fileName not NULL
+/* Id of a class by its name: of the shader library `fileName`, or if that is NULL one that is built
+ * in or registered by rtRegisterShaderClass. Binds the class and shader 0. Every call gives a new
+ * id. RT_INVALID on error.
+ * A file name with a slash is a path; any other is looked for in the folders of the environment
+ * variable OPENRT_SHADER_PATH (separated by colons, ignored in set-uid programs), then in the
+ * installed folder openrt/shaders beside this library, and never in the current folder by itself.
+ * ".so" may be left out. The file is examined before any of its code runs. It stays loaded until
+ * its classes and all that uses them are gone: ids, shaders, objects, frames.
+ * How shader libraries are written is in rts_plugin.h (C) and plugin.hpp (C++).
+ * Errors:  RT_INVALID_VALUE  shaderName NULL or unknown; the file is missing, no shader library, for
+ *                            another machine or version, has no such class, or its constructor
+ *                            fails: the text says which file and why. Nothing else happens then
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtGenNewShaderClass(const char *shaderName, const char *fileName);
+
+/* Names of shader classes, in alphabetical order, each followed by a line feed: those of a shader
+ * library, found and examined as by rtGenNewShaderClass, or with NULL the built-in ones. The text
+ * lives until the next call of this function on the thread. NULL on error.
+ * Errors:  RT_INVALID_VALUE  the file is missing or no shader library that can be used
+ * Threads: the context's. Since: 0.1 */
+RTAPI const char *RTAPIENTRY rtGetShaderClassNames(const char *fileName);
+
+/* What a class is: its kind, parameters and functions, as rts.h has them. Lives as long as the
+ * class: until its id is removed and its shaders are gone. NULL on error.
+ * Errors:  RT_INVALID_VALUE  unknown class
+ * Threads: the context's. Since: 0.1 */
+RTAPI const struct RTshaderclass *RTAPIENTRY rtGetShaderClassDescriptor(RTuint shaderClass);
 
 /* Makes a class that is part of the program known to this context under its name, and returns its
  * id, bound as by rtGenNewShaderClass. The descriptor is copied; the functions in it must stay

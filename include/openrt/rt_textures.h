@@ -33,34 +33,85 @@ RTAPI void RTAPIENTRY rtBindTexture(RTenum target, RTuint texture);
  * Threads: the context's. Since: 0.1 */
 RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture);
 
-/* Gives the bound texture its image: any size up to RT_MAX_TEXTURE_SIZE (16384) a side, the first
- * row at the bottom, read from `pixels` as rtPixelStore says. NULL: an image of zeros.
+/* Gives a level of the bound texture its image: any size up to RT_MAX_TEXTURE_SIZE (16384) a side
+ * for level 0 and half of that for each further one, the first row at the bottom, read from
+ * `pixels` as rtPixelStore says. NULL: an image of zeros.
  *   internalFormat  1 to 4; RT_LUMINANCE, RT_LUMINANCE_ALPHA, RT_RGB, RT_RGBA and their sized
- *                   forms; RT_SRGB, RT_SRGB8, RT_SRGB_ALPHA, RT_SRGB8_ALPHA8 (bytes only)
+ *                   forms; RT_SRGB, RT_SRGB8, RT_SRGB_ALPHA, RT_SRGB8_ALPHA8: the colours, not
+ *                   alpha, are sRGB-encoded
  *   format          RT_RGB, RT_RGBA, RT_BGR, RT_BGRA, RT_LUMINANCE, RT_LUMINANCE_ALPHA
- *   type            RT_UNSIGNED_BYTE, RT_UNSIGNED_SHORT (0..1), RT_FLOAT (kept as given, so that
- *                   environments may be brighter than 1)
+ *   type            RT_UNSIGNED_BYTE, RT_UNSIGNED_SHORT (0..1); RT_HALF_FLOAT, RT_FLOAT (kept as
+ *                   given, so that environments may be brighter than 1)
  * Texels are kept in the precision of `type`. An image with a side of 0 is none.
+ *
+ * Mipmaps are the levels after RT_TEXTURE_BASE_LEVEL, each with half the sides of the one before,
+ * rounded down, to a single texel or RT_TEXTURE_MAX_LEVEL. They are given one by one, or made by
+ * the library: if RT_GENERATE_MIPMAP is RT_TRUE when the base level gets its image, the levels
+ * after it are dropped and made from it, in linear light, when the first look-up needs them. A
+ * texture whose minification filter needs levels that are not there, or that have other sizes or
+ * another internal format, is looked up in its base level by RT_TEXTURE_MAG_FILTER.
  * Errors:  RT_INVALID_ENUM       target, format or type is no such token
  *          RT_INVALID_VALUE      size, level, border or internalFormat out of range
- *          RT_INVALID_OPERATION  a target, level, border, format or type that OpenGL has and this
- *                                release has not; sRGB of other types than bytes
- * Threads: the context's. Since: 0.1 */
+ *          RT_INVALID_OPERATION  a target, border, format or type that OpenGL has and this release
+ *                                has not
+ * Threads: the context's. Since: 0.1; levels, RT_HALF_FLOAT, sRGB of all types: 0.2 */
 RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTsizei height, RTint border, RTenum format, RTenum type,
                                    const void *pixels);
 
-/* How the bound texture is looked up:
- *   RT_TEXTURE_WRAP_S, _T   RT_REPEAT (start), RT_CLAMP, RT_CLAMP_TO_EDGE, RT_MIRRORED_REPEAT
- *   RT_TEXTURE_MAG_FILTER   RT_NEAREST, RT_LINEAR (start)
- *   RT_TEXTURE_MIN_FILTER   OpenGL's six values; as there are no mipmaps, all look-ups follow
- *                           RT_TEXTURE_MAG_FILTER
- * RT_CLAMP clamps to the edge.
- * Errors:  RT_INVALID_ENUM       target, pname or value is no such token
- *          RT_INVALID_OPERATION  one that OpenGL has and this release has not
+/* Replaces a part of a level's image, converted to the precision that the image has. At the base
+ * level, with RT_GENERATE_MIPMAP, the levels after it are made anew.
+ * Errors:  RT_INVALID_ENUM       target, format or type is no such token
+ *          RT_INVALID_VALUE      the part does not lie inside the image, a size is negative, pixels
+ *                                is NULL
+ *          RT_INVALID_OPERATION  the level has no image; a target, format or type that OpenGL has
+ *                                and this release has not
  * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
+                                      RTsizei width, RTsizei height, RTenum format, RTenum type,
+                                      const void *pixels);
+
+/* How the bound texture is looked up:
+ *   RT_TEXTURE_WRAP_S, _T       RT_REPEAT (start), RT_MIRRORED_REPEAT, RT_CLAMP_TO_EDGE,
+ *                               RT_CLAMP_TO_BORDER (the border colour outside), RT_CLAMP (at the
+ *                               border linear filters mix the edge with the border colour)
+ *   RT_TEXTURE_MAG_FILTER       RT_NEAREST, RT_LINEAR (start)
+ *   RT_TEXTURE_MIN_FILTER       RT_NEAREST, RT_LINEAR, RT_NEAREST_MIPMAP_NEAREST,
+ *                               RT_LINEAR_MIPMAP_NEAREST, RT_NEAREST_MIPMAP_LINEAR (start),
+ *                               RT_LINEAR_MIPMAP_LINEAR; which level, follows from how much of the
+ *                               texture a sample covers: docs/textures.md has the formula
+ *   RT_TEXTURE_BORDER_COLOR     four components, linear RGBA; start 0. Calls with arrays only
+ *   RT_TEXTURE_MIN_LOD, _MAX_LOD  limits of the level of detail; start -1000, 1000
+ *   RT_TEXTURE_LOD_BIAS         added to it, limited to 16 both ways; start 0
+ *   RT_TEXTURE_BASE_LEVEL, _MAX_LEVEL  the levels that are used; start 0, 1000
+ *   RT_GENERATE_MIPMAP          see rtTexImage2D; start RT_FALSE
+ * Errors:  RT_INVALID_ENUM       target, pname or value is no such token; a colour in a call for
+ *                                one value
+ *          RT_INVALID_VALUE      a negative level, a number that is NaN, params NULL
+ *          RT_INVALID_OPERATION  one that OpenGL has and this release has not
+ * Threads: the context's. Since: 0.1; all but wrapping and RT_TEXTURE_MAG_FILTER: 0.2 */
 RTAPI void RTAPIENTRY rtTexParameteri(RTenum target, RTenum pname, RTint param);
 RTAPI void RTAPIENTRY rtTexParameterf(RTenum target, RTenum pname, RTfloat param);
+RTAPI void RTAPIENTRY rtTexParameteriv(RTenum target, RTenum pname, const RTint *params);
+RTAPI void RTAPIENTRY rtTexParameterfv(RTenum target, RTenum pname, const RTfloat *params);
+
+/* What rtTexParameter set.
+ * Errors:  as there
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtGetTexParameteriv(RTenum target, RTenum pname, RTint *params);
+RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum target, RTenum pname, RTfloat *params);
+
+/* RT_TEXTURE_WIDTH, _HEIGHT, _BORDER, _INTERNAL_FORMAT of a level of the bound texture, and the
+ * bits of its components: RT_TEXTURE_RED_SIZE, _GREEN_SIZE, _BLUE_SIZE, _ALPHA_SIZE,
+ * _LUMINANCE_SIZE. Levels that the library makes have them too, levels without an image 0.
+ * Errors:  RT_INVALID_ENUM       target or pname is no such token
+ *          RT_INVALID_VALUE      level out of range, params NULL
+ *          RT_INVALID_OPERATION  RT_TEXTURE_COMPRESSED_IMAGE_SIZE: nothing is compressed
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtGetTexLevelParameteriv(RTenum target, RTint level, RTenum pname,
+                                               RTint *params);
+RTAPI void RTAPIENTRY rtGetTexLevelParameterfv(RTenum target, RTint level, RTenum pname,
+                                               RTfloat *params);
 
 /* How images lie in the application's memory: RT_UNPACK_ALIGNMENT 1, 2, 4 (start) or 8;
  * RT_UNPACK_ROW_LENGTH, RT_UNPACK_SKIP_PIXELS, RT_UNPACK_SKIP_ROWS from 0 (start), in pixels;

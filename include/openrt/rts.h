@@ -113,8 +113,9 @@ struct RTSstate {
     RTuint resultSet;
 
     RTuint flags;          /* RTS_INDIRECT, RTS_STOPPED */
-    float footprint;       /* width of what the pixel sees here, across the ray */
-    float texCoordDensity; /* texture coordinates per unit of length, on the triangle */
+    /* Width, across the ray, of what the sample stands for; in an environment shader the angle. */
+    float footprint;
+    float texCoordDensity; /* texture coordinates per unit of length on the triangle; 0: none */
 };
 
 /* A pixel, for rendering objects. */

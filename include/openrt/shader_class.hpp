@@ -2,7 +2,7 @@
 // From a plain C++ class to the C descriptor that the library knows. Included by shader.hpp.
 #pragma once
 
-#include <map>
+#include <deque>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -97,9 +97,10 @@ void shadePacketOf(const T& shader, Context& context) {
 
 inline constexpr int kThrew = -1; ///< what a function of the descriptor returns for an exception
 
-/// The functions of the descriptor: no exception passes them.
+/// The functions of the descriptor: no exception passes them. Hidden, as is what else belongs to T:
+/// libraries whose classes share a name must not meet.
 template <class T>
-struct Functions {
+struct [[gnu::visibility("hidden")]] Functions {
     using Triangle = typename TriangleParamOf<T>::Type;
     using Vertex = typename VertexParamOf<T>::Type;
 
@@ -221,7 +222,8 @@ private:
 };
 
 /// A descriptor and the memory it points to.
-struct Descriptor {
+struct [[gnu::visibility("hidden")]] Descriptor {
+    std::string name;
     std::deque<std::string> names;
     std::vector<RTSparameter> parameters;
     RTshaderclass shaderClass = {};
@@ -284,21 +286,24 @@ void describe(Descriptor& descriptor) {
 /// The C descriptor of class T under a name, made at the first call, valid to the program's end.
 /// Throws what T's constructor and registerParams throw. From any thread.
 template <class T, ShaderKind kind = detail::kindOf<T>()>
-const RTshaderclass* shaderClass(const char* name) {
+[[gnu::visibility("hidden")]] const RTshaderclass* shaderClass(const char* name) {
     if (!name) throw std::invalid_argument("a shader class needs a name");
     static std::mutex mutex;
-    static std::map<std::string, detail::Descriptor> made;
+    // No map: its header has objects that keep g++ from ever unloading a library without -O.
+    static std::deque<detail::Descriptor> made;
     const std::lock_guard lock(mutex);
-    if (const auto found = made.find(name); found != made.end()) return &found->second.shaderClass;
-    const auto entry = made.try_emplace(name).first;
+    for (const detail::Descriptor& descriptor : made)
+        if (descriptor.name == name) return &descriptor.shaderClass;
+    detail::Descriptor& descriptor = made.emplace_back();
     try {
-        detail::describe<T, kind>(entry->second);
+        descriptor.name = name;
+        detail::describe<T, kind>(descriptor);
     } catch (...) {
-        made.erase(entry);
+        made.pop_back();
         throw;
     }
-    entry->second.shaderClass.name = entry->first.c_str();
-    return &entry->second.shaderClass;
+    descriptor.shaderClass.name = descriptor.name.c_str();
+    return &descriptor.shaderClass;
 }
 
 } // namespace openrt

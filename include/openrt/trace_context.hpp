@@ -138,9 +138,9 @@ public:
         return Color(attenuation);
     }
     RTuint lightCount() const { return Calls::lightCount(state_); }
-    bool illuminate(RTuint light, LightSample& sample) {
+    bool illuminate(RTuint light, LightSample& sample, bool wanted = true) {
         RTSlightsample s = {};
-        if (!Calls::illuminate(state_, light, &s)) return false;
+        if (!wanted || !Calls::illuminate(state_, light, &s)) return false;
         sample = {Vec3(s.direction), s.distance, Color(s.radiance)};
         return true;
     }
@@ -181,6 +181,15 @@ public:
     template <class T>
     const T& vertexParam() const {
         return *static_cast<const T*>(state_->vertexParam);
+    }
+    /// One of their numbers, as packets have it: c.vertexParam(&VertexParam::heat).
+    template <class T>
+    float triangleParam(float T::*member) const {
+        return triangleParam<T>().*member;
+    }
+    template <class T>
+    float vertexParam(float T::*member) const {
+        return vertexParam<T>().*member;
     }
 
     /// Camera shaders only: the ray through the point of the picture. Besides, those may ask for

@@ -15,6 +15,8 @@
 namespace smart {
 
 struct Model;
+struct FixedMaterials;
+struct FixedState;
 
 /// Reshading: which shader stands in for which, by shader index. Immutable and shared.
 struct ShaderReplacement {
@@ -29,6 +31,7 @@ struct ShaderReplacement {
             if (replaced == shader) return by;
         return shader;
     }
+    std::size_t bytes() const;
 };
 
 /// Attributes of vertices for which their object set none; fixed at instantiation. Inside an
@@ -38,7 +41,8 @@ struct InheritedAttributes {
     glm::vec4 color{1.0f};
     glm::vec3 normal{0.0f, 0.0f, 1.0f};
     glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
-    bool ownColor = true, ownNormal = true, ownTexCoord = true;
+    std::shared_ptr<const FixedMaterials> materials; ///< nullptr: OpenGL's initial ones
+    bool ownColor = true, ownNormal = true, ownTexCoord = true, ownMaterials = true;
 };
 
 /// A model placed in its parent's space (another model's, or the scene's).
@@ -48,6 +52,9 @@ struct Instance {
     uint32_t objectId = 0;
     InheritedAttributes inherited;
     std::shared_ptr<const ShaderReplacement> replacement; ///< nullptr: none
+    /// What fixed function makes of it, in the scene's instances; nullptr: the vertices' colour,
+    /// the nearest hit.
+    std::shared_ptr<const FixedState> state;
 };
 
 /// Instances with the tree over them; what a scene is, and what an object that nests others adds
@@ -58,6 +65,8 @@ public:
     InstanceGroup() = default;
     /// Throws std::bad_alloc. threads: how many may build the tree.
     InstanceGroup(std::vector<Instance> instances, unsigned threads);
+    InstanceGroup(InstanceGroup&&) = default; ///< views refer to matrices, which move along
+    InstanceGroup& operator=(InstanceGroup&&) = default;
 
     const std::vector<Instance>& instances() const { return instances_; }
     const std::vector<InstanceView>& views() const { return views_; }

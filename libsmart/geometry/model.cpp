@@ -59,14 +59,13 @@ std::size_t ShadingData::bytes() const {
 }
 
 std::size_t Model::bytes() const {
-    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + wide.bytes() + shading.bytes() +
+    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() +
            children.bytes() + recordBytes_.load(std::memory_order_relaxed);
 }
 
 void Model::makeView() {
     view_.triangles = triangles.data();
     view_.tree = makeKdView(tree, tree.bounds);
-    view_.wide = {wide.nodes.empty() ? nullptr : wide.nodes.data(), wide.prims.data()};
     children.show(view_);
 }
 

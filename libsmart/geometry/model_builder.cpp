@@ -84,10 +84,6 @@ ModelPtr ModelBuilder::build(const KdBuildOptions& options) && {
         KdBuildStats stats;
         model->tree = buildKdTree(primitives, options, &stats);
         model->treeEvents = stats.events;
-        std::vector<Aabb> boxes;
-        boxes.reserve(triangles.size());
-        for (uint32_t i = 0; i < triangles.size(); ++i) boxes.push_back(primitives.bounds(i));
-        model->wide = buildWideTree(boxes);
     }
     if (!children.empty()) model->children = InstanceGroup(children, options.threads);
     for (const Instance& child : children) {

@@ -1,60 +1,57 @@
 // SPDX-License-Identifier: MIT
-// The precision policies: how a group of rays is prepared for a tree, and how it meets a triangle.
+// The two float policies: how a group of rays is prepared for a tree, and how it meets a triangle.
 #pragma once
 
-#include "libsmart/kernel/search.h"
+#include "libsmart/kernel/shear.h"
 
 namespace smart::SMART_ISA {
 
-/// Rays that share the signs of their direction and its dominant axis.
-struct RayGroup {
-    uint32_t lanes;
-    bool negative[3];
-    int dominantAxis;
-};
-
-/// Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013: vertices are
-/// sheared into a space where the ray is the z axis; the signs of the 2D edge functions decide.
-/// A float difference of rounded products has the exact sign unless it is zero, and then double
-/// products, which are exact, decide. That needs multiplication and subtraction to stay apart.
+/// Woop, Benthin, Wald (2013). An edge function, a float difference of rounded products, has the
+/// exact sign unless it is zero, and then double products, which are exact, decide. That needs
+/// multiplication and subtraction to stay apart.
 template <int N>
 class Watertight {
 public:
+    using Rays = LocalRays<N>;
+
     Watertight(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group)
-        : triangles_(model.triangles),
-          kx_((group.dominantAxis + 1) % 3),
-          ky_((group.dominantAxis + 2) % 3),
-          kz_(group.dominantAxis),
-          rays_(rays) {
-        const Real<N> one(1.0f);
-        ox_ = Real<N>::load(rays.org[kx_]);
-        oy_ = Real<N>::load(rays.org[ky_]);
-        oz_ = Real<N>::load(rays.org[kz_]);
-        sz_ = one / Real<N>::load(rays.dir[kz_]);
-        sx_ = Real<N>::load(rays.dir[kx_]) / Real<N>::load(rays.dir[kz_]);
-        sy_ = Real<N>::load(rays.dir[ky_]) / Real<N>::load(rays.dir[kz_]);
+        : triangles_(model.triangles), shear_(rays, group), rays_(rays) {
         // Weights of slivers err in float, and t with them, by a share of the triangle's depth.
-        doubtful_ = magnitude(sz_) * (Real<N>(model.tree.maxAbs) + magnitude(oz_)) *
+        doubtful_ = magnitude(shear_.scale()) *
+                    (Real<N>(model.tree.maxAbs) + magnitude(shear_.depthOrigin())) *
                     Real<N>(0x1p-10f);
+        // Three factors of the test's products are coordinates: beyond this they may overflow.
+        const Real<N> largest(0x1p40f);
+        large_ = Real<N>(model.tree.maxAbs) > largest;
+        for (int k = 0; k < 3; ++k)
+            large_ = large_ | (magnitude(Real<N>::load(rays.org[k])) > largest);
+        large_ = large_ & Mask<N>::fromBits(group.lanes);
+        someLarge_ = any(large_);
     }
 
     /// Lanes of `active` that meet the triangle's plane inside it, and where. Limits are not
     /// looked at.
     HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
-        const Triangle& triangle = triangles_[number];
-        const Real<N> az = Real<N>(triangle.v0[kz_]) - oz_;
-        const Real<N> bz = Real<N>(triangle.v1[kz_]) - oz_;
-        const Real<N> cz = Real<N>(triangle.v2[kz_]) - oz_;
-        const Real<N> ax = (Real<N>(triangle.v0[kx_]) - ox_) - sx_ * az;
-        const Real<N> ay = (Real<N>(triangle.v0[ky_]) - oy_) - sy_ * az;
-        const Real<N> bx = (Real<N>(triangle.v1[kx_]) - ox_) - sx_ * bz;
-        const Real<N> by = (Real<N>(triangle.v1[ky_]) - oy_) - sy_ * bz;
-        const Real<N> cx = (Real<N>(triangle.v2[kx_]) - ox_) - sx_ * cz;
-        const Real<N> cy = (Real<N>(triangle.v2[ky_]) - oy_) - sy_ * cz;
+        return someLarge_ ? meetLarge(number, active, t) : meetInFloat(number, active, t);
+    }
 
-        const Real<N> u = cx * by - cy * bx;
-        const Real<N> v = ax * cy - ay * cx;
-        const Real<N> w = bx * ay - by * ax;
+    /// Of the lanes that meet the triangle at t, those for which float can compare t with `best`:
+    /// the others are compared in double. Those whose far limit it passes are dropped, those for
+    /// which it is the nearest of this model's triangles are brought up to date.
+    template <HitMode M, class Counter>
+    HWY_INLINE Mask<N> comparable(uint32_t number, const Mask<N>& hit, Real<N>& t, Real<N>& best,
+                                  Search<N, M, Counter>& query) const {
+        const Mask<N> close = hit & (magnitude(t - best) <= doubtful_ * Real<N>(0x1p-6f));
+        if (!any(close)) return hit;
+        return compareInDouble(number, close.bits(), hit, t, best, query);
+    }
+
+private:
+    HWY_INLINE Mask<N> meetInFloat(uint32_t number, const Mask<N>& active, Real<N>& t) const {
+        const Triangle& triangle = triangles_[number];
+        const Sheared<N> sheared = shear_(triangle);
+        Real<N> u, v, w;
+        sheared.edgeFunctions(u, v, w);
         const Real<N> lowest = min(min(u, v), w);
         const Real<N> highest = max(max(u, v), w);
         const Real<N> zero(0.0f);
@@ -62,33 +59,62 @@ public:
         if (!any(inside)) return inside;
 
         const Real<N> determinant = u + v + w;
-        t = (u * az + v * bz + w * cz) * sz_ / determinant;
+        t = (u * sheared.a[2] + v * sheared.b[2] + w * sheared.c[2]) * shear_.scale() / determinant;
         const Mask<N> undecided = inside & ((u == zero) | (v == zero) | (w == zero));
         inside = andNot(inside, undecided) & (determinant != zero);
-        if (any(undecided)) {
-            const Sheared sheared = {{ax, ay, az}, {bx, by, bz}, {cx, cy, cz}};
-            decideExactly(sheared, undecided.bits(), inside, t);
-        }
+        if (any(undecided)) decideExactly(sheared, undecided.bits(), inside, t);
         const Mask<N> atStart = inside & (magnitude(t) <= doubtful_);
         if (any(atStart)) placeExactly(triangle, atStart.bits(), t);
         return inside;
     }
 
-private:
-    struct Sheared {
-        Real<N> a[3], b[3], c[3];
-    };
+    /// The same test; the lanes with large coordinates in double, whose exponents suffice. A
+    /// double edge function of zero counts as inside, on both sides of the edge.
+    [[gnu::noinline]] Mask<N> meetLarge(uint32_t number, const Mask<N>& active,
+                                        Real<N>& t) const {
+        t = Real<N>(0.0f);
+        uint32_t accepted = meetInFloat(number, andNot(active, large_), t).bits();
+        alignas(64) float result[N];
+        t.store(result);
+        for (uint32_t lanes = (active & large_).bits(); lanes; lanes &= lanes - 1) {
+            const int i = lowestBit(lanes);
+            if (meetInDouble(triangles_[number], i, result[i])) accepted |= 1u << i;
+        }
+        t = Real<N>::load(result);
+        return Mask<N>::fromBits(accepted);
+    }
+
+    bool meetInDouble(const Triangle& triangle, int lane, float& t) const {
+        const int kx = shear_.axis(0), ky = shear_.axis(1), kz = shear_.axis(2);
+        const double scale = 1.0 / double(rays_.dir[kz][lane]);
+        const double sx = rays_.dir[kx][lane] * scale, sy = rays_.dir[ky][lane] * scale;
+        const float* const vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
+        double x[3], y[3], z[3];
+        for (int c = 0; c < 3; ++c) {
+            z[c] = double(vertices[c][kz]) - rays_.org[kz][lane];
+            x[c] = (double(vertices[c][kx]) - rays_.org[kx][lane]) - sx * z[c];
+            y[c] = (double(vertices[c][ky]) - rays_.org[ky][lane]) - sy * z[c];
+        }
+        const double u = x[2] * y[1] - y[2] * x[1];
+        const double v = x[0] * y[2] - y[0] * x[2];
+        const double w = x[1] * y[0] - y[1] * x[0];
+        const double determinant = u + v + w;
+        if (((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) || determinant == 0)
+            return false;
+        t = float((u * z[0] + v * z[1] + w * z[2]) / determinant * scale);
+        return magnitude(Real<1>(t)).v <= 0x1.fffffep127f;
+    }
 
     /// Repeats the test in double for the given lanes.
-    [[gnu::noinline]] void decideExactly(const Sheared& sheared, uint32_t lanes, Mask<N>& inside,
-                                         Real<N>& t) const {
+    [[gnu::noinline]] void decideExactly(const Sheared<N>& sheared, uint32_t lanes,
+                                         Mask<N>& inside, Real<N>& t) const {
         alignas(64) float a[3][N], b[3][N], c[3][N], scale[N], result[N];
         for (int k = 0; k < 3; ++k) {
             sheared.a[k].store(a[k]);
             sheared.b[k].store(b[k]);
             sheared.c[k].store(c[k]);
         }
-        sz_.store(scale);
+        shear_.scale().store(scale);
         t.store(result);
         uint32_t accepted = inside.bits();
         for (; lanes; lanes &= lanes - 1) {
@@ -106,37 +132,89 @@ private:
         t = Real<N>::load(result);
     }
 
+    /// A triangle's plane in double.
+    struct Plane {
+        explicit Plane(const Triangle& triangle) : point(triangle.v0) {
+            double e1[3], e2[3];
+            for (int k = 0; k < 3; ++k) {
+                e1[k] = double(triangle.v1[k]) - triangle.v0[k];
+                e2[k] = double(triangle.v2[k]) - triangle.v0[k];
+            }
+            for (int k = 0; k < 3; ++k) {
+                const int i = (k + 1) % 3, j = (k + 2) % 3;
+                n[k] = e1[i] * e2[j] - e1[j] * e2[i];
+            }
+        }
+        const float* point;
+        double n[3];
+    };
+
+    /// `otherwise` where the plane is seen edge-on.
+    double distance(const Plane& plane, int lane, double otherwise) const {
+        double depth = 0, slope = 0;
+        for (int k = 0; k < 3; ++k) {
+            depth += (double(plane.point[k]) - rays_.org[k][lane]) * plane.n[k];
+            slope += rays_.dir[k][lane] * plane.n[k];
+        }
+        return slope != 0 ? depth / slope : otherwise;
+    }
+
     /// Distances of the given lanes again in double: whether the surface lies before or behind
     /// the start of the ray must not be left to float, or surfaces shadow themselves.
     [[gnu::noinline]] void placeExactly(const Triangle& triangle, uint32_t lanes,
                                         Real<N>& t) const {
-        double e1[3], e2[3], n[3];
-        for (int k = 0; k < 3; ++k) {
-            e1[k] = double(triangle.v1[k]) - triangle.v0[k];
-            e2[k] = double(triangle.v2[k]) - triangle.v0[k];
-        }
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            n[k] = e1[i] * e2[j] - e1[j] * e2[i];
-        }
+        const Plane plane(triangle);
         alignas(64) float result[N];
         t.store(result);
         for (; lanes; lanes &= lanes - 1) {
             const int i = lowestBit(lanes);
-            double depth = 0, slope = 0;
-            for (int k = 0; k < 3; ++k) {
-                depth += (double(triangle.v0[k]) - rays_.org[k][i]) * n[k];
-                slope += rays_.dir[k][i] * n[k];
-            }
-            if (slope != 0) result[i] = float(depth / slope);
+            result[i] = float(distance(plane, i, result[i]));
         }
         t = Real<N>::load(result);
     }
 
+    template <HitMode M, class Counter>
+    [[gnu::noinline]] Mask<N> compareInDouble(uint32_t number, uint32_t lanes, const Mask<N>& hit,
+                                              Real<N>& t, Real<N>& best,
+                                              Search<N, M, Counter>& query) const {
+        const Plane plane(triangles_[number]);
+        alignas(64) float distances[N], limits[N];
+        t.store(distances);
+        best.store(limits);
+        uint32_t open = hit.bits();
+        for (; lanes; lanes &= lanes - 1) {
+            const int i = lowestBit(lanes);
+            const uint32_t bit = 1u << i;
+            if (query.holds(number, i)) { // met in another leaf
+                open &= ~bit;
+                continue;
+            }
+            const double candidate = distance(plane, i, distances[i]);
+            if (query.triangle[i] == kNoHit) {
+                if (candidate > limits[i]) open &= ~bit;
+                distances[i] = float(candidate < limits[i] ? candidate : limits[i]);
+                continue;
+            }
+            if (!query.sharesModel(i)) continue;
+            open &= ~bit;
+            const Plane holder(triangles_[query.triangle[i]]);
+            const double stored = distance(holder, i, limits[i]);
+            if (candidate < query.tNear[i] || candidate > stored) continue;
+            if (candidate == stored && !query.precedes(number, i)) continue;
+            query.keepTriangle(Mask<N>::fromBits(bit), number);
+            limits[i] = float(candidate);
+        }
+        t = Real<N>::load(distances);
+        best = Real<N>::load(limits);
+        return Mask<N>::fromBits(open);
+    }
+
     const Triangle* triangles_;
-    int kx_, ky_, kz_;
+    Shear<N> shear_;
     const LocalRays<N>& rays_;
-    Real<N> ox_, oy_, oz_, sx_, sy_, sz_, doubtful_;
+    Mask<N> large_;
+    bool someLarge_;
+    Real<N> doubtful_;
 };
 
 /// Wald, "Realtime ray tracing and interactive global illumination", PhD thesis 2004, section
@@ -144,6 +222,8 @@ private:
 template <int N>
 class Fast {
 public:
+    using Rays = LocalRays<N>;
+
     Fast(const ModelView& model, const LocalRays<N>& rays, const RayGroup&)
         : records_(model.records) {
         for (int k = 0; k < 3; ++k) {

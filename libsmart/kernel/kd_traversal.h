@@ -11,7 +11,8 @@
 // A lane visits the leaves that it would visit alone: what it finds does not depend on the others.
 #pragma once
 
-#include "libsmart/kernel/intersect.h"
+#include "libsmart/kernel/precise_rays.h"
+#include "libsmart/kernel/shear.h"
 
 namespace smart::SMART_ISA {
 
@@ -23,6 +24,65 @@ Real<N> boundedReciprocal(const Real<N>& x) {
     return select(x == Real<N>(0.0f), Real<N>(kBound), r);
 }
 
+/// How far planes across an axis are moved.
+template <int N>
+class PlanePadding {
+public:
+    PlanePadding(const KdView& tree, const LocalRays<N>& rays, const RayGroup&) {
+        Real<N> scale(tree.maxAbs);
+        for (int k = 0; k < 3; ++k) scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
+        padding_ = scale * Real<N>(0x1p-21f);
+    }
+    const Real<N>& operator()(int) const { return padding_; }
+
+private:
+    Real<N> padding_;
+};
+
+/// With u = 2^-24 and S the largest coordinate on the axis: the computed distance (s - o) / d
+/// rounds three times, which is 3u * 2S on the axis, and the padded origin once, by u S; the pad
+/// of 8u S covers that. An origin off by x moves a point by x, a direction off by y by t y, where t
+/// is at most 2S over the direction on its dominant axis; so does a direction below 2^-126, whose
+/// reciprocal was bounded. Where a difference could overflow, every cell is visited.
+template <int N>
+class PrecisePadding {
+public:
+    PrecisePadding(const KdView& tree, const PreciseRays<N>& rays, const RayGroup& group)
+        : tree_(tree), rays_(rays) {
+        const int axis = group.dominantAxis;
+        error_ = Real<N>::load(rays.orgError) * Real<N>(1.25f) + Real<N>(0x1p-144f) +
+                 (Real<N>::load(rays.dirError) * Real<N>(2.5f) /
+                      magnitude(Real<N>::load(rays.dir[axis])) +
+                  Real<N>(0x1p-100f)) *
+                     scale(axis);
+    }
+    Real<N> operator()(int axis) const {
+        const Real<N> size = scale(axis);
+        return select(size < Real<N>(0x1p126f), size * Real<N>(0x1p-21f) + error_,
+                      Real<N>(__builtin_inff()));
+    }
+
+private:
+    Real<N> scale(int axis) const {
+        const Real<N> box(largerOf(__builtin_fabsf(tree_.lo[axis]),
+                                   __builtin_fabsf(tree_.hi[axis])));
+        return max(box, magnitude(Real<N>::load(rays_.org[axis])));
+    }
+    const KdView& tree_;
+    const PreciseRays<N>& rays_;
+    Real<N> error_;
+};
+
+template <int N>
+PlanePadding<N> planePadding(const KdView& tree, const LocalRays<N>& rays, const RayGroup& group) {
+    return {tree, rays, group};
+}
+template <int N>
+PrecisePadding<N> planePadding(const KdView& tree, const PreciseRays<N>& rays,
+                               const RayGroup& group) {
+    return {tree, rays, group};
+}
+
 /// Rays ready for one tree.
 template <int N>
 struct TreeRays {
@@ -31,11 +91,11 @@ struct TreeRays {
     Real<N> enterOrg[3]; ///< ... begins: padded to be early
     const RayGroup& group;
 
-    TreeRays(const KdView& tree, const LocalRays<N>& rays, const RayGroup& g) : group(g) {
-        Real<N> scale(tree.maxAbs);
-        for (int k = 0; k < 3; ++k) scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
-        const Real<N> padding = scale * Real<N>(0x1p-21f);
+    template <class Rays>
+    TreeRays(const KdView& tree, const Rays& rays, const RayGroup& g) : group(g) {
+        const auto paddings = planePadding(tree, rays, g);
         for (int k = 0; k < 3; ++k) {
+            const Real<N> padding = paddings(k);
             const Real<N> org = Real<N>::load(rays.org[k]);
             reciprocal[k] = boundedReciprocal(Real<N>::load(rays.dir[k]));
             leaveOrg[k] = g.negative[k] ? org + padding : org - padding;

@@ -9,13 +9,15 @@
 namespace smart {
 
 /// How exact an intersection is. Fast: Wald's projection, edges may leak. Watertight: no ray
-/// passes between triangles that share an edge or a vertex.
-enum class Precision : uint32_t { Fast = 0, Watertight = 1 };
-inline constexpr int kPrecisionCount = 2;
+/// passes between triangles that share an edge or a vertex. Precise: what exact arithmetic finds
+/// for the rays, vertices and matrices as given.
+enum class Precision : uint32_t { Fast = 0, Watertight = 1, Precise = 2 };
+inline constexpr int kPrecisionCount = 3;
 
 /// Every entry finds the same hits, to the bit, whatever the instruction set. Equal distances go
 /// to the lowest path, then to the lowest triangle; a model's own triangles before its children.
-/// t, u and v of a hit are computed in double from the ray as given and rounded once.
+/// t, u and v of a hit are computed in double from the ray as given and rounded once; in precise
+/// mode they are the exact ones, correctly rounded.
 /// Fast needs ModelView::records in every model that the rays may reach.
 struct KernelTable {
     const char* name; ///< generic, sse4, avx2, avx512, neon
@@ -24,11 +26,9 @@ struct KernelTable {
     void (*occluded[kPrecisionCount])(const ModelView&, const RayPacket&, uint32_t& blocked);
     void (*intersect1[kPrecisionCount])(const ModelView&, const Ray&, Hit&);
     bool (*occluded1[kPrecisionCount])(const ModelView&, const Ray&);
-    /// The same for four packets that are neighbours.
-    void (*intersectTile[kPrecisionCount])(const ModelView&, const RayPacket*, HitPacket*);
-    void (*occludedTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t* blocked);
-    /// intersect in watertight mode that also adds up what it did
-    void (*intersectCounted)(const ModelView&, const RayPacket&, HitPacket&, TraversalCounts&);
+    /// intersect that also adds up what it did
+    void (*intersectCounted[kPrecisionCount])(const ModelView&, const RayPacket&, HitPacket&,
+                                              TraversalCounts&);
 };
 
 /// The table for this machine, chosen at the first call: the best instruction set it has, or the

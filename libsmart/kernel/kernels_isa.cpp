@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set, into namespace smart::SMART_ISA; fills its KernelTable.
+#include <type_traits>
+
 #include "libsmart/kernel/hit_refinement.h"
+#include "libsmart/kernel/intersect.h"
+#include "libsmart/kernel/hit_rounding.h"
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/kernel/ray_preparation.h"
 #include "libsmart/kernel/scene_traversal.h"
-#include "libsmart/kernel/tile_traversal.h"
 
 namespace smart::SMART_ISA {
 
@@ -33,22 +36,44 @@ struct RayArrays {
           active(1) {}
 };
 
+template <template <int> class Precision>
+inline constexpr bool kIsPrecise = std::is_same_v<Precision<1>, Precise<1>>;
+
+/// Fills `query` with what the rays hit, and `world` in the precise mode.
 template <template <int> class Precision, int N, HitMode M, class Counter>
-void run(const ModelView& scene, const RayArrays& in, Search<N, M, Counter>& query) {
-    LocalRays<N> rays;
-    const uint32_t legal =
-        prepareRays<N, M, Counter>(in.org, in.dir, in.tNear, in.tFar, in.active, rays, query);
+void run(const ModelView& scene, const RayArrays& in, WorldRays<N>& world,
+         Search<N, M, Counter>& query) {
+    typename Precision<N>::Rays rays;
+    uint32_t legal;
+    if constexpr (kIsPrecise<Precision>)
+        legal = preparePreciseRays<N, M, Counter>(scene, in.org, in.dir, in.tNear, in.tFar,
+                                                  in.active, rays, world, query);
+    else
+        legal = prepareRays<N, M, Counter>(in.org, in.dir, in.tNear, in.tFar, in.active, rays,
+                                           world.scale, query);
     if (legal) SceneTraversal<Precision, N, M, Counter>::model(scene, rays, legal, query);
+}
+
+/// Computes where the hits of `query` lie.
+template <template <int> class Precision, int N, class Counter>
+void place(const ModelView& scene, const RayArrays& in, const WorldRays<N>& world,
+           const Search<N, HitMode::Closest, Counter>& query, float* t, float* u, float* v) {
+    if constexpr (kIsPrecise<Precision>) {
+        placeHits(scene, world, query, t, u, v);
+    } else {
+        refineHits<N>(scene, in.org, in.dir, in.tNear, in.tFar, query.triangle, query.levels,
+                      query.path, t, u, v);
+    }
 }
 
 template <template <int> class Precision, class Counter>
 void closestHits(const ModelView& scene, const RayPacket& rays, HitPacket& hits, Counter counter) {
     const RayArrays in(rays);
+    WorldRays<kPacketSize> world;
     Search<kPacketSize, HitMode::Closest, Counter> query;
     query.counter = counter;
-    run<Precision>(scene, in, query);
-    refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query.triangle,
-                            query.levels, query.path, hits.t, hits.u, hits.v);
+    run<Precision>(scene, in, world, query);
+    place<Precision>(scene, in, world, query, hits.t, hits.u, hits.v);
     __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
     __builtin_memcpy(hits.levels, query.levels, sizeof hits.levels);
     __builtin_memcpy(hits.path, query.path, sizeof hits.path);
@@ -59,73 +84,39 @@ void intersect(const ModelView& scene, const RayPacket& rays, HitPacket& hits) {
     closestHits<Precision>(scene, rays, hits, NoCounts());
 }
 
+template <template <int> class Precision>
 void intersectCounted(const ModelView& scene, const RayPacket& rays, HitPacket& hits,
                       TraversalCounts& counts) {
-    closestHits<Watertight>(scene, rays, hits, Counts{&counts});
+    closestHits<Precision>(scene, rays, hits, Counts{&counts});
 }
 
 template <template <int> class Precision>
 void occluded(const ModelView& scene, const RayPacket& rays, uint32_t& blocked) {
+    WorldRays<kPacketSize> world;
     Search<kPacketSize, HitMode::Any, NoCounts> query;
-    run<Precision>(scene, RayArrays(rays), query);
+    run<Precision>(scene, RayArrays(rays), world, query);
     blocked = query.blocked;
 }
 
 template <template <int> class Precision>
 void intersect1(const ModelView& scene, const Ray& ray, Hit& hit) {
     const RayArrays in(ray);
+    WorldRays<1> world;
     Search<1, HitMode::Closest, NoCounts> query;
-    run<Precision>(scene, in, query);
+    run<Precision>(scene, in, world, query);
     hit.triangle = query.triangle[0];
     if (hit.triangle == kNoHit) return;
-    refineHits<1>(scene, in.org, in.dir, in.tNear, in.tFar, query.triangle, query.levels,
-                  query.path, &hit.t, &hit.u, &hit.v);
+    place<Precision>(scene, in, world, query, &hit.t, &hit.u, &hit.v);
     hit.levels = query.levels[0];
     for (uint32_t l = 0; l < hit.levels; ++l) hit.path[l] = query.path[l][0];
 }
 
 template <template <int> class Precision>
 bool occluded1(const ModelView& scene, const Ray& ray) {
+    WorldRays<1> world;
     Search<1, HitMode::Any, NoCounts> query;
-    run<Precision>(scene, RayArrays(ray), query);
+    run<Precision>(scene, RayArrays(ray), world, query);
     return query.blocked != 0;
-}
-
-template <template <int> class Precision>
-void intersectTile(const ModelView& scene, const RayPacket* rays, HitPacket* hits) {
-    using Query = Search<kPacketSize, HitMode::Closest, NoCounts>;
-    LocalRays<kPacketSize> local[kTileVectors];
-    Query query[kTileVectors];
-    uint32_t lanes[kTileVectors];
-    for (int v = 0; v < kTileVectors; ++v) {
-        const RayArrays in(rays[v]);
-        lanes[v] = prepareRays<kPacketSize, HitMode::Closest, NoCounts>(
-            in.org, in.dir, in.tNear, in.tFar, in.active, local[v], query[v]);
-    }
-    TileTraversal<Precision, HitMode::Closest>::scene(scene, local, lanes, query);
-    for (int v = 0; v < kTileVectors; ++v) {
-        const RayArrays in(rays[v]);
-        refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query[v].triangle,
-                                query[v].levels, query[v].path, hits[v].t, hits[v].u, hits[v].v);
-        __builtin_memcpy(hits[v].triangle, query[v].triangle, sizeof hits[v].triangle);
-        __builtin_memcpy(hits[v].levels, query[v].levels, sizeof hits[v].levels);
-        __builtin_memcpy(hits[v].path, query[v].path, sizeof hits[v].path);
-    }
-}
-
-template <template <int> class Precision>
-void occludedTile(const ModelView& scene, const RayPacket* rays, uint32_t* blocked) {
-    using Query = Search<kPacketSize, HitMode::Any, NoCounts>;
-    LocalRays<kPacketSize> local[kTileVectors];
-    Query query[kTileVectors];
-    uint32_t lanes[kTileVectors];
-    for (int v = 0; v < kTileVectors; ++v) {
-        const RayArrays in(rays[v]);
-        lanes[v] = prepareRays<kPacketSize, HitMode::Any, NoCounts>(
-            in.org, in.dir, in.tNear, in.tFar, in.active, local[v], query[v]);
-    }
-    TileTraversal<Precision, HitMode::Any>::scene(scene, local, lanes, query);
-    for (int v = 0; v < kTileVectors; ++v) blocked[v] = query[v].blocked;
 }
 
 #define SMART_STRINGIZE_(x) #x
@@ -135,13 +126,11 @@ void occludedTile(const ModelView& scene, const RayPacket* rays, uint32_t* block
 
 const KernelTable kTable = {
     SMART_STRINGIZE(SMART_ISA),
-    {intersect<Fast>, intersect<Watertight>},
-    {occluded<Fast>, occluded<Watertight>},
-    {intersect1<Fast>, intersect1<Watertight>},
-    {occluded1<Fast>, occluded1<Watertight>},
-    {intersectTile<Fast>, intersectTile<Watertight>},
-    {occludedTile<Fast>, occludedTile<Watertight>},
-    intersectCounted,
+    {intersect<Fast>, intersect<Watertight>, intersect<Precise>},
+    {occluded<Fast>, occluded<Watertight>, occluded<Precise>},
+    {intersect1<Fast>, intersect1<Watertight>, intersect1<Precise>},
+    {occluded1<Fast>, occluded1<Watertight>, occluded1<Precise>},
+    {intersectCounted<Fast>, intersectCounted<Watertight>, intersectCounted<Precise>},
 };
 
 } // namespace smart::SMART_ISA

@@ -50,6 +50,8 @@ struct TraversalCounts {
     uint64_t leaves = 0;
     uint64_t triangles = 0;  ///< triangle tests, a packet counting as one
     uint64_t instances = 0;  ///< instances entered
+    uint64_t doubles = 0;    ///< precise mode: tests of single rays that double had to repeat
+    uint64_t exacts = 0;     ///< ... and exact arithmetic after it
 };
 
 } // namespace smart

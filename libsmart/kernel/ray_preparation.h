@@ -19,11 +19,12 @@ inline double inverseBinade(float x) {
 
 /// Copies N rays; returns the lanes of `active` that carry a legal ray. Directions whose largest
 /// component is far from 1 are scaled by a power of two, limits inversely, so that reciprocals
-/// neither overflow nor lose bits. Other lanes get a harmless ray with an empty range.
+/// neither overflow nor lose bits; `scale` is that power, 1 for others. Lanes without a legal ray
+/// get a harmless one with an empty range.
 template <int N, HitMode M, class Counter>
 uint32_t prepareRays(const float* const org[3], const float* const dir[3], const float* tNear,
                      const float* tFar, uint32_t active, LocalRays<N>& rays,
-                     Search<N, M, Counter>& query) {
+                     double (&scale)[N], Search<N, M, Counter>& query) {
     const Real<N> zero(0.0f), largestFinite(0x1.fffffep127f);
     const Real<N> near = Real<N>::load(tNear), far = Real<N>::load(tFar);
     Mask<N> legal = Mask<N>::fromBits(active) & (near <= far) & (far >= zero);
@@ -42,6 +43,7 @@ uint32_t prepareRays(const float* const org[3], const float* const dir[3], const
     select(legal, max(near, zero), Real<N>(1.0f)).store(query.tNear);
     select(legal, far, zero).store(query.best);
     Word<N>(kNoHit).store(query.triangle);
+    for (int i = 0; i < N; ++i) scale[i] = 1;
 
     const Mask<N> extreme =
         legal & ((largest < Real<N>(0x1p-16f)) | (largest > Real<N>(0x1p16f)));
@@ -50,10 +52,10 @@ uint32_t prepareRays(const float* const org[3], const float* const dir[3], const
         largest.store(size);
         for (uint32_t rest = extreme.bits(); rest; rest &= rest - 1) {
             const int i = lowestBit(rest);
-            const double scale = inverseBinade(size[i]);
-            for (int k = 0; k < 3; ++k) rays.dir[k][i] = float(dir[k][i] * scale);
-            query.tNear[i] = float(query.tNear[i] / scale);
-            query.best[i] = float(query.best[i] / scale);
+            scale[i] = inverseBinade(size[i]);
+            for (int k = 0; k < 3; ++k) rays.dir[k][i] = float(dir[k][i] * scale[i]);
+            query.tNear[i] = float(query.tNear[i] / scale[i]);
+            query.best[i] = float(query.best[i] / scale[i]);
         }
     }
     return legal.bits();

@@ -3,7 +3,11 @@
 // keep the nearest hit. Recursion is as deep as instances nest.
 #pragma once
 
+#include <type_traits>
+
+#include "libsmart/kernel/intersect.h"
 #include "libsmart/kernel/kd_traversal.h"
+#include "libsmart/kernel/precise.h"
 
 namespace smart::SMART_ISA {
 
@@ -66,8 +70,9 @@ template <template <int> class Precision, int N, HitMode M, class Counter>
 class SceneTraversal {
 public:
     using Query = Search<N, M, Counter>;
+    using Rays = typename Precision<N>::Rays;
 
-    static void model(const ModelView& model, const LocalRays<N>& rays, uint32_t lanes,
+    static void model(const ModelView& model, const Rays& rays, uint32_t lanes,
                       Query& query) {
         if (!model.tree.nodes && !model.childTree.nodes) {
             for (uint32_t i = 0; i < model.childCount; ++i)
@@ -97,37 +102,49 @@ private:
                       Real<N>(-__builtin_inff()));
     }
 
-    static void triangles(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group,
+    /// Brings the query up to date with one triangle. Any hit: takes lanes that met it out of
+    /// `active`.
+    static HWY_INLINE void test(const Precision<N>& precision, uint32_t triangle, Mask<N>& active,
+                                Real<N>& best, Query& query) {
+        if constexpr (std::is_same_v<Precision<N>, Precise<N>>) {
+            precision.test(triangle, active, best, query);
+        } else {
+            Real<N> t;
+            Mask<N> hit = precision.meet(triangle, active, t);
+            if (!any(hit)) return;
+            if constexpr (std::is_same_v<Precision<N>, Watertight<N>>)
+                hit = precision.comparable(triangle, hit, t, best, query);
+            hit = hit & (t >= Real<N>::load(query.tNear)) & (t <= best);
+            if (!any(hit)) return;
+            best = query.accept(hit, t, best, triangle);
+            if constexpr (M == HitMode::Any) {
+                active = andNot(active, hit);
+                best = select(hit, Real<N>(-__builtin_inff()), best);
+            }
+        }
+    }
+
+    static void triangles(const ModelView& model, const Rays& rays, const RayGroup& group,
                           Query& query) {
         const TreeRays<N> treeRays(model.tree, rays, group);
         const Precision<N> precision(model, rays, group);
-        const Real<N> rangeNear = Real<N>::load(query.tNear);
         Real<N> best = limits(query, group.lanes);
         const auto leaf = [&](uint32_t first, uint32_t count, Mask<N> active) {
             const uint32_t* prims = model.tree.prims + first;
             for (uint32_t i = 0; i < count; ++i) {
                 query.counter.triangle();
-                Real<N> t;
-                Mask<N> hit = precision.meet(prims[i], active, t);
-                if (!any(hit)) continue;
-                hit = hit & (t >= rangeNear) & (t <= best);
-                if (!any(hit)) continue;
-                best = query.accept(hit, t, best, prims[i]);
-                if constexpr (M == HitMode::Any) {
-                    active = andNot(active, hit);
-                    best = select(hit, Real<N>(-__builtin_inff()), best);
-                    if (!any(active)) break;
-                }
+                test(precision, prims[i], active, best, query);
+                if (M == HitMode::Any && !any(active)) break;
             }
             return best;
         };
-        traverseKd(model.tree, treeRays, rangeNear, best, query.counter, leaf);
+        traverseKd(model.tree, treeRays, Real<N>::load(query.tNear), best, query.counter, leaf);
         if constexpr (M == HitMode::Closest)
             select(Mask<N>::fromBits(group.lanes), best, Real<N>::load(query.best))
                 .store(query.best);
     }
 
-    static void children(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group,
+    static void children(const ModelView& model, const Rays& rays, const RayGroup& group,
                          Query& query) {
         const TreeRays<N> treeRays(model.childTree, rays, group);
         // A child lies in many leaves: which lanes met which child of late.
@@ -153,7 +170,7 @@ private:
                    limits(query, group.lanes), query.counter, leaf);
     }
 
-    static void child(const ModelView& parent, uint32_t number, const LocalRays<N>& rays,
+    static void child(const ModelView& parent, uint32_t number, const Rays& rays,
                       uint32_t lanes, Query& query) {
         if (!lanes) return;
         query.counter.instance();
@@ -162,7 +179,7 @@ private:
         if (instance.identity) {
             model(*instance.model, rays, lanes, query);
         } else {
-            LocalRays<N> local;
+            Rays local;
             transformRays(instance, rays, local);
             model(*instance.model, local, lanes, query);
         }

@@ -16,12 +16,22 @@ struct alignas(64) LocalRays {
     float dir[3][N];
 };
 
+/// The application's rays without any rounding, for the precise mode: see WorldRay.
+template <int N>
+struct alignas(64) WorldRays {
+    double org[3][N], dir[3][N];
+    double tNear[N], tFar[N];
+    double scale[N];
+    const ModelView* scene;
+};
+
 /// Counts nothing and costs nothing.
 struct NoCounts {
     void node() {}
     void leaf() {}
     void triangle() {}
     void instance() {}
+    void arbitration(bool) {}
 };
 
 struct Counts {
@@ -30,18 +40,26 @@ struct Counts {
     void leaf() { ++total->leaves; }
     void triangle() { ++total->triangles; }
     void instance() { ++total->instances; }
+    void arbitration(bool exact) {
+        ++total->doubles;
+        total->exacts += exact;
+    }
 };
 
 /// The state of one query. t is in units of the ray direction as scaled at the start, which no
-/// instance changes. `best` is the far limit until something is hit.
+/// instance changes. `best` is the far limit until something is hit. In the precise mode distances
+/// are known as intervals: the best one lies in [low, best].
 template <int N, HitMode M, class Counter>
 struct alignas(64) Search {
     alignas(4 * N) float tNear[N];
     alignas(4 * N) float best[N];
+    alignas(4 * N) float low[N];
     alignas(4 * N) uint32_t triangle[N];
     alignas(4 * N) uint32_t levels[N];
     alignas(4 * N) uint32_t path[kMaxLevels][N];
     uint32_t blocked = 0; ///< HitMode::Any: lanes that met something
+
+    const WorldRays<N>* world = nullptr; ///< precise mode only
 
     uint32_t currentPath[kMaxLevels];
     uint32_t currentLevels = 0;
@@ -57,6 +75,18 @@ struct alignas(64) Search {
         return candidate < triangle[lane];
     }
 
+    /// Whether the triangle stored for a lane belongs to the model at hand, in the same place.
+    bool sharesModel(int lane) const {
+        if (levels[lane] != currentLevels) return false;
+        for (uint32_t l = 0; l < currentLevels; ++l)
+            if (currentPath[l] != path[l][lane]) return false;
+        return true;
+    }
+    /// Whether the triangle at hand is the one stored for a lane.
+    bool holds(uint32_t candidate, int lane) const {
+        return triangle[lane] == candidate && sharesModel(lane);
+    }
+
     /// Lanes, of those given, whose stored triangle stays at equal distance.
     uint32_t outranked(uint32_t candidate, uint32_t lanes) const {
         uint32_t stay = 0;
@@ -69,6 +99,13 @@ struct alignas(64) Search {
         select(lanes, Word<N>(value), Word<N>::load(kept)).store(kept);
     }
 
+    /// Stores the triangle at hand for the lanes given.
+    void keepTriangle(const Mask<N>& lanes, uint32_t candidate) {
+        keep(lanes, candidate, triangle);
+        keep(lanes, currentLevels, levels);
+        for (uint32_t l = 0; l < currentLevels; ++l) keep(lanes, currentPath[l], path[l]);
+    }
+
     /// Takes a triangle met at t by the lanes `hit`; returns the lanes' new far limits.
     Real<N> accept(const Mask<N>& hit, const Real<N>& t, const Real<N>& far, uint32_t candidate) {
         if constexpr (M == HitMode::Any) {
@@ -78,9 +115,7 @@ struct alignas(64) Search {
             Mask<N> taken = hit;
             const Mask<N> ties = hit & (t == far);
             if (any(ties)) taken = andNot(hit, Mask<N>::fromBits(outranked(candidate, ties.bits())));
-            keep(taken, candidate, triangle);
-            keep(taken, currentLevels, levels);
-            for (uint32_t l = 0; l < currentLevels; ++l) keep(taken, currentPath[l], path[l]);
+            keepTriangle(taken, candidate);
             return select(taken, t, far);
         }
     }

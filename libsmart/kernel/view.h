@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "libsmart/accel/kd_node.h"
-#include "libsmart/accel/wide_node.h"
 
 namespace smart {
 
@@ -30,19 +29,22 @@ struct KdView {
     float maxAbs; ///< largest absolute coordinate of the box; scale of the padding
 };
 
-/// A tree of wide nodes with the triangles in the order of its leaves.
-struct WideView {
-    const WideNode* nodes; ///< nullptr: nothing in it
-    const uint32_t* prims;
-    const Triangle* triangles;
-};
-
 struct ModelView;
+
+/// What an inverse matrix X of M, and rays transformed by it, are off by. In the largest component,
+/// for any vector y: |M^-1 y - X y| <= relative * |X y|, |X y| <= norm * |y|.
+struct InverseBound {
+    double relative; ///< infinite where nothing is known
+    double norm;
+    double offset; ///< largest component of M's translation
+};
 
 /// A child in its parent's space. The inverse is kept in double, so that the ray in object space
 /// carries one rounding only.
 struct InstanceView {
     double toObject[3][4]; ///< rows; the fourth column is the translation
+    InverseBound inverse;
+    const double* toParent; ///< the matrix as given: four columns of three
     const ModelView* model;
     uint32_t identity; ///< not 0: toObject is the identity and needs no arithmetic
 };
@@ -53,7 +55,6 @@ struct ModelView {
     const Triangle* triangles;
     const TriangleRecord* records; ///< nullptr unless a frame in fast mode asked for them
     KdView tree;
-    WideView wide;
     const InstanceView* children;
     KdView childTree;
     /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while

@@ -6,8 +6,16 @@
 
 #include "libsmart/kernel/packet.h"
 #include "libsmart/render/frame.h"
+#include "libsmart/render/ray_cone.h"
+#include "libsmart/render/sampling.h"
 
 namespace smart {
+
+/// What a camera shader is given beside the point of the picture.
+struct CameraSample {
+    RTSstate* state = nullptr;     ///< at no surface
+    PixelSample* sample = nullptr; ///< where the state's random numbers come from
+};
 
 /// The camera rays of one frame. A pixel's centre is half a pixel off its number, as in OpenGL;
 /// row 0 is at the bottom. The frame has to live as long. Thread-safe.
@@ -25,7 +33,12 @@ public:
     /// With the projection matrix as camera, rays start at the eye, with the near and far planes
     /// as limits, or on the near plane where the matrix has no eye. With a camera shader they
     /// start where it says.
-    bool make(double x, double y, Ray& ray) const;
+    bool make(double x, double y, Ray& ray, const CameraSample& sample = {}) const;
+
+    /// The cone of a ray that make() gave for the same point: what one of the frame's samples
+    /// of a pixel stands for, from the neighbours of the ray one pixel to the right and above.
+    /// Camera shaders draw the same random numbers for those.
+    RayCone cone(double x, double y, const Ray& ray, const CameraSample& sample = {}) const;
 
     /// Window depth, 0 to 1, of the point at distance t on a ray. A camera shader has no depth
     /// range: there it is t / (1 + t).
@@ -33,11 +46,14 @@ public:
 
 private:
     bool fromMatrix(double x, double y, Ray& ray) const;
-    bool fromShader(double x, double y, Ray& ray) const;
+    bool fromShader(double x, double y, Ray& ray, RTSstate* state) const;
+    RayCone matrixCone(double x, double y) const;
+    RayCone shaderCone(double x, double y, const Ray& ray, const CameraSample& sample) const;
 
     const Frame& frame_;
-    glm::dvec3 eye_{0.0};
+    glm::dvec3 eye_{0.0}, turning_{0.0};
     bool hasEye_ = false;
+    double sampleSide_; ///< share of a pixel's side that a sample stands for
 };
 
 } // namespace smart

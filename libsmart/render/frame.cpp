@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/render/frame.h"
 
-#include <algorithm>
-
 namespace smart {
 
-bool Frame::hasTransparency() const {
-    std::call_once(transparencyOnce_, [this] {
-        transparency_ = shaders && std::ranges::any_of(*shaders, [](const auto& shader) {
-                            return shader && shader->shaderClass().kind() == RT_SURFACE_SHADER &&
-                                   shader->functions().transparency;
-                        });
+const FrameShading& Frame::shading() const {
+    std::call_once(shadingOnce_, [this] {
+        static const ShaderTable none;
+        shading_ = findFrameShading(*scene, shaders ? *shaders : none, lights);
     });
-    return transparency_;
+    return shading_;
 }
 
 } // namespace smart

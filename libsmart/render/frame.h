@@ -9,6 +9,7 @@
 #include <mutex>
 #include <vector>
 
+#include "libsmart/render/frame_shading.h"
 #include "libsmart/render/framebuffer.h"
 #include "libsmart/scene/scene.h"
 #include "libsmart/shading/shader_registry.h"
@@ -50,13 +51,12 @@ struct Frame {
     /// Keeps what the shaders of models and replacements need alive.
     std::vector<std::shared_ptr<const void>> keepAlive;
 
-    /// Whether some surface shader answers transparency(), so that shadows may be partial. Found
-    /// at the first question. Thread-safe.
-    bool hasTransparency() const;
+    /// What the shaders amount to; found at the first question. Thread-safe.
+    const FrameShading& shading() const;
 
 private:
-    mutable std::once_flag transparencyOnce_;
-    mutable bool transparency_ = false;
+    mutable std::once_flag shadingOnce_;
+    mutable FrameShading shading_;
 };
 
 /// A larger recursionLimit counts as this: threads have stacks of limited size.

@@ -2,167 +2,213 @@
 #include "libsmart/render/frame_queue.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "libsmart/render/tile_order.h"
 
 namespace smart {
 
-FrameQueue::FrameQueue(unsigned depth)
-    : depth_(std::max(depth, 1u)), slots_(std::make_unique<Slot[]>(depth_)) {}
+namespace {
 
-void FrameQueue::submit(std::shared_ptr<const Frame> frame) {
-    // List the tiles before anything is changed: it is what may run out of memory.
+using Clock = std::chrono::steady_clock;
+
+/// Nanoseconds from `since` to now, which becomes the new `since`.
+uint64_t lap(Clock::time_point& since) {
+    const Clock::time_point now = Clock::now();
+    const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(now - since);
+    since = now;
+    return uint64_t(std::max<int64_t>(passed.count(), 0));
+}
+
+/// Lists of up to so many tiles are kept from one frame to the next of the same size.
+constexpr std::size_t kKeptTiles = 1u << 16;
+
+/// How many frames may wait for another frame's memory before those behind them wait too. Bounds
+/// the search for work, not the queue.
+constexpr int kLookAhead = 64;
+
+} // namespace
+
+FrameQueue::FrameQueue(unsigned depth)
+    : signal_(std::make_shared<QueueSignal>()), depth_(std::max(depth, 1u)) {}
+
+FrameQueue::~FrameQueue() {
+    while (first_) first_ = std::exchange(first_->behind_, nullptr); // one by one: no recursion
+}
+
+QueuedFramePtr FrameQueue::prepare(std::shared_ptr<const Frame> frame,
+                                   std::shared_ptr<FrameListener> listener) {
     const PixelTarget& target = frame->target;
-    if (!lastTiles_ || lastWidth_ != target.width || lastHeight_ != target.height) {
-        lastTiles_ =
-            std::make_shared<const std::vector<Tile>>(mortonTiles(target.width, target.height));
+    QueuedFrame::Tiles tiles = lastTiles_;
+    if (!tiles || lastWidth_ != target.width || lastHeight_ != target.height) {
+        tiles = std::make_shared<const std::vector<Tile>>(mortonTiles(target.width, target.height));
+        lastTiles_ = tiles->size() <= kKeptTiles ? tiles : nullptr;
         lastWidth_ = target.width;
         lastHeight_ = target.height;
     }
+    return std::make_shared<QueuedFrame>(std::move(frame), std::move(tiles), std::move(listener),
+                                         signal_);
+}
+
+void FrameQueue::submit(QueuedFramePtr frame) noexcept {
     {
-        std::unique_lock lock(mutex_);
-        failures_.try_emplace(frame->id); // here, so that failing needs no memory
-        completedOne_.wait(lock, [&] { return submitted_ - completed_ < depth_; });
-        Slot& slot = slotOf(submitted_);
-        slot.frame = std::move(frame);
-        slot.tiles = lastTiles_;
-        slot.failure = nullptr;
-        for (auto* counter :
-             {&slot.primaryRays, &slot.shadowRays, &slot.secondaryRays, &slot.badPixels})
-            counter->store(0, std::memory_order_relaxed);
-        slot.unfinished.store(lastTiles_->size(), std::memory_order_relaxed);
-        // Release: whoever takes a tile sees all of the above.
-        slot.waiting.store(int64_t(lastTiles_->size()), std::memory_order_release);
-        ++submitted_;
+        std::unique_lock lock(signal_->mutex);
+        ended_.wait(lock, [&] { return incomplete_ < depth_; });
+        for (QueuedFrame* f = first_.get(); f && !frame->sharesMemory_; f = f->behind_.get())
+            frame->sharesMemory_ = frame->sharesMemoryWith(*f);
+        // It may have been cancelled already.
+        if (frame->unfinished_.load(std::memory_order_acquire) == 0)
+            signal_->settled.store(true, std::memory_order_release);
+        QueuedFrame* const added = frame.get();
+        (last_ ? last_->behind_ : first_) = std::move(frame);
+        last_ = added;
+        ++incomplete_;
     }
-    submittedOrClosed_.notify_all();
-    if (lastTiles_->empty()) complete();
+    signal_->work.notify_all();
 }
 
-std::optional<TileJob> FrameQueue::next() {
+bool FrameQueue::take(QueuedFrame& frame, TileJob& job) {
+    if (frame.waiting_.load(std::memory_order_relaxed) <= 0) return false;
+    const int64_t left = frame.waiting_.fetch_sub(1, std::memory_order_acq_rel);
+    if (left <= 0) return false;
+    job.frame = frame.frame_.get();
+    job.tile = (*frame.tiles_)[std::size_t(frame.tileCount_) - std::size_t(left)];
+    frame.countTime(0, lap(job.since));
+    return true;
+}
+
+bool FrameQueue::mayStart(const QueuedFrame& frame) const {
+    if (!frame.sharesMemory_) return true;
+    for (const QueuedFrame* f = first_.get(); f != &frame; f = f->behind_.get())
+        if (frame.sharesMemoryWith(*f)) return false;
+    return true;
+}
+
+bool FrameQueue::next(TileJob& job) {
+    if (job.since == Clock::time_point()) job.since = Clock::now();
+    if (job.ticket) {
+        if (!signal_->settled.load(std::memory_order_acquire) &&
+            take(*static_cast<QueuedFrame*>(job.ticket.get()), job))
+            return true;
+        job.ticket.reset();
+    }
+    std::unique_lock lock(signal_->mutex);
     for (;;) {
-        const uint64_t number = dealing_.load(std::memory_order_acquire);
-        Slot& slot = slotOf(number);
-        // A slot that a later frame has taken meanwhile is as good: its tiles want rendering too.
-        const int64_t left = slot.waiting.fetch_sub(1, std::memory_order_acq_rel);
-        if (left > 0) {
-            const std::vector<Tile>& tiles = *slot.tiles;
-            return TileJob{slot.frame, tiles[tiles.size() - std::size_t(left)],
-                           uint64_t(&slot - slots_.get())};
-        }
-        // All handed out: step to the next frame, and wait for it.
-        std::unique_lock lock(mutex_);
-        if (dealing_.load(std::memory_order_relaxed) == number && number < submitted_ &&
-            slot.waiting.load(std::memory_order_relaxed) <= 0)
-            dealing_.store(number + 1, std::memory_order_release);
-        submittedOrClosed_.wait(lock, [&] { return dealing_ < submitted_ || closed_; });
-        if (dealing_ >= submitted_) return std::nullopt;
-    }
-}
-
-void FrameQueue::done(const TileJob& job, const TilePixels& pixels) {
-    writeTile(job.frame->target, job.tile, pixels);
-    Slot& slot = slots_[job.ticket];
-    slot.primaryRays.fetch_add(pixels.primaryRays, std::memory_order_relaxed);
-    slot.shadowRays.fetch_add(pixels.shadowRays, std::memory_order_relaxed);
-    slot.secondaryRays.fetch_add(pixels.secondaryRays, std::memory_order_relaxed);
-    slot.badPixels.fetch_add(pixels.badPixels, std::memory_order_relaxed);
-    finish(slot, 1);
-}
-
-void FrameQueue::failed(const TileJob& job, std::exception_ptr reason) noexcept {
-    Slot& slot = slots_[job.ticket];
-    {
-        std::lock_guard lock(mutex_);
-        if (!slot.failure) slot.failure = std::move(reason);
-    }
-    // Drop the tiles that nobody has taken.
-    const int64_t dropped = slot.waiting.exchange(0, std::memory_order_acq_rel);
-    finish(slot, uint64_t(std::max<int64_t>(dropped, 0)) + 1);
-}
-
-void FrameQueue::finish(Slot& slot, uint64_t tiles) noexcept {
-    if (slot.unfinished.fetch_sub(tiles, std::memory_order_acq_rel) == tiles) complete();
-}
-
-// Takes finished frames off the queue's head.
-void FrameQueue::complete() noexcept {
-    for (;;) {
-        std::shared_ptr<const Frame> frame; // let go without the lock: it may own a whole scene
-        {
-            std::lock_guard lock(mutex_);
-            if (completed_ == submitted_) return;
-            Slot& slot = slotOf(completed_);
-            if (slot.unfinished.load(std::memory_order_acquire) != 0) return;
-            frame = std::move(slot.frame);
-            slot.tiles = nullptr;
-            statistics_.primaryRays += slot.primaryRays.load(std::memory_order_relaxed);
-            statistics_.shadowRays += slot.shadowRays.load(std::memory_order_relaxed);
-            statistics_.secondaryRays += slot.secondaryRays.load(std::memory_order_relaxed);
-            statistics_.badPixels += slot.badPixels.load(std::memory_order_relaxed);
-            if (const auto entry = failures_.find(frame->id); entry != failures_.end()) {
-                if (slot.failure)
-                    entry->second = std::exchange(slot.failure, nullptr);
-                else
-                    failures_.erase(entry);
+        if (signal_->settled.load(std::memory_order_relaxed)) endFrames(lock);
+        int left = kLookAhead;
+        for (const QueuedFramePtr* f = &first_; *f && left > 0; f = &(*f)->behind_) {
+            if ((*f)->waiting_.load(std::memory_order_relaxed) <= 0) continue;
+            if (mayStart(**f) && take(**f, job)) {
+                job.ticket = *f;
+                return true;
             }
-            ++completed_;
-            if (dealing_.load(std::memory_order_relaxed) < completed_)
-                dealing_.store(completed_, std::memory_order_release);
+            --left;
         }
-        completedOne_.notify_all();
+        if (closed_) return false;
+        signal_->work.wait(lock);
     }
 }
 
-const FrameQueue::Slot* FrameQueue::find(uint64_t frameId) const {
-    for (uint64_t number = completed_; number < submitted_; ++number)
-        if (const Slot& slot = slotOf(number); slot.frame->id == frameId) return &slot;
+void FrameQueue::done(TileJob& job, const TilePixels& pixels) {
+    QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
+    writeTile(job.frame->target, job.tile, pixels);
+    frame.count(pixels);
+    if (frame.listener_) frame.listener_->tileDone(frame, job.tile);
+    frame.countTime(lap(job.since), 0);
+    finish(frame, 1);
+}
+
+void FrameQueue::failed(TileJob& job, std::exception_ptr reason) noexcept {
+    QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
+    frame.countTime(lap(job.since), 0);
+    frame.keepError(std::move(reason));
+    frame.failed_.store(true, std::memory_order_release);
+    // Drop the tiles that nobody has taken.
+    const int64_t dropped = frame.waiting_.exchange(0, std::memory_order_acq_rel);
+    finish(frame, uint64_t(std::max<int64_t>(dropped, 0)) + 1);
+}
+
+void FrameQueue::finish(QueuedFrame& frame, uint64_t tiles) noexcept {
+    if (frame.unfinished_.fetch_sub(tiles, std::memory_order_acq_rel) != tiles) return;
+    std::unique_lock lock(signal_->mutex);
+    endFrames(lock);
+}
+
+// A frame without tiles that are under way or still to come: the first, or one that was cancelled.
+QueuedFramePtr FrameQueue::findEnded() const {
+    const auto settled = [](const QueuedFrame& frame) {
+        return frame.unfinished_.load(std::memory_order_acquire) == 0;
+    };
+    if (first_ && settled(*first_)) return first_;
+    if (signal_->cancelled.load(std::memory_order_acquire) == 0) return nullptr;
+    for (const QueuedFramePtr* f = &first_; *f; f = &(*f)->behind_)
+        if (settled(**f) && (*f)->cancelled_.load(std::memory_order_acquire)) return *f;
     return nullptr;
 }
 
-void FrameQueue::wait(uint64_t frameId) {
-    std::exception_ptr failure;
-    {
-        std::unique_lock lock(mutex_);
-        completedOne_.wait(lock, [&] { return !find(frameId); });
-        if (const auto entry = failures_.find(frameId); entry != failures_.end()) {
-            failure = entry->second;
-            failures_.erase(entry);
-        }
+void FrameQueue::remove(const QueuedFrame& frame) {
+    QueuedFrame* before = nullptr;
+    QueuedFramePtr* link = &first_;
+    while (link->get() != &frame) {
+        before = link->get();
+        link = &before->behind_;
     }
-    if (failure) std::rethrow_exception(failure);
+    if (last_ == &frame) last_ = before;
+    *link = std::exchange((*link)->behind_, nullptr);
+}
+
+// Ends the frames that can be; without the lock where others are called. One thread at a time:
+// frames end in order.
+void FrameQueue::endFrames(std::unique_lock<std::mutex>& lock) noexcept {
+    signal_->settled.store(false, std::memory_order_relaxed);
+    if (ending_) return;
+    ending_ = true;
+    while (const QueuedFramePtr frame = findEnded()) {
+        statistics_ += frame->statistics();
+        lock.unlock();
+        frame->end();
+        lock.lock();
+        remove(*frame); // now frames that share its memory may start
+        if (frame->cancelled_.load(std::memory_order_relaxed))
+            signal_->cancelled.fetch_sub(1, std::memory_order_relaxed);
+        --incomplete_;
+        ended_.notify_all();
+        signal_->work.notify_all();
+    }
+    ending_ = false;
 }
 
 void FrameQueue::waitAll() {
-    std::unique_lock lock(mutex_);
-    completedOne_.wait(lock, [&, last = submitted_] { return completed_ >= last; });
+    std::unique_lock lock(signal_->mutex);
+    ended_.wait(lock, [&] { return incomplete_ == 0; });
 }
 
-float FrameQueue::progress(uint64_t frameId) const {
-    std::lock_guard lock(mutex_);
-    const Slot* slot = find(frameId);
-    if (!slot || slot->tiles->empty()) return 1.0f;
-    const double total = double(slot->tiles->size());
-    const double unfinished = double(slot->unfinished.load(std::memory_order_acquire));
-    return float((total - unfinished) / total);
+void FrameQueue::setDepth(unsigned depth) {
+    const std::lock_guard lock(signal_->mutex);
+    depth_ = std::max(depth, 1u);
+}
+
+unsigned FrameQueue::depth() const {
+    const std::lock_guard lock(signal_->mutex);
+    return depth_;
 }
 
 RenderStatistics FrameQueue::statistics() const {
-    std::lock_guard lock(mutex_);
+    const std::lock_guard lock(signal_->mutex);
     return statistics_;
 }
 
 void FrameQueue::close() {
     {
-        std::lock_guard lock(mutex_);
+        const std::lock_guard lock(signal_->mutex);
         closed_ = true;
     }
-    submittedOrClosed_.notify_all();
+    signal_->work.notify_all();
 }
 
 void FrameQueue::open() {
-    std::lock_guard lock(mutex_);
+    const std::lock_guard lock(signal_->mutex);
     closed_ = false;
 }
 

@@ -1,80 +1,70 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstdint>
-#include <exception>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <vector>
 
-#include "libsmart/render/render_statistics.h"
+#include "libsmart/render/queued_frame.h"
 #include "libsmart/render/tile_source.h"
 
 namespace smart {
 
 /// Frames in the order of submission, handed out tile by tile: the next frame's tiles go out
-/// while the last ones of the frame before are still being rendered. Frames complete in order.
-/// submit() belongs to one thread, all else to any. Handing out and taking back a tile changes
-/// nothing shared but the frame's own counters, unless a worker has to wait or a frame ends.
+/// while the last ones of the frame before are still being rendered. Frames end in order, unless
+/// they are cancelled. One that writes to memory of a frame before it is started when that has
+/// ended.
+///
+/// Frames end on the threads that call next(), done() and failed(), and only there, so that a
+/// frame's listener is told by nobody else. prepare(), submit(), waitAll() and setDepth() belong
+/// to one thread, all else to any. Handing out and taking back a tile changes nothing shared but
+/// the frame's own counters, unless a worker turns to another frame or one ends.
 class FrameQueue final : public TileSource {
 public:
     /// depth: how many frames may be incomplete at once; at least 1.
     explicit FrameQueue(unsigned depth = 2);
+    /// Nobody may be inside a call; frames that did not end never will.
+    ~FrameQueue() override;
 
+    /// A frame for submit(), and all memory that it needs on its way.
+    QueuedFramePtr prepare(std::shared_ptr<const Frame> frame,
+                           std::shared_ptr<FrameListener> listener = nullptr);
     /// Queues a frame; blocks while the queue is full.
-    void submit(std::shared_ptr<const Frame> frame);
-    /// Waits until no frame of this id is in the queue; rethrows, once, what made it fail.
-    void wait(uint64_t frameId);
-    /// Waits until all frames submitted so far are complete.
+    void submit(QueuedFramePtr frame) noexcept;
+    /// Waits until all frames submitted so far have ended.
     void waitAll();
-    /// Share of the tiles that are finished; 1 for a frame that is not in the queue.
-    float progress(uint64_t frameId) const;
-    /// Of the frames completed so far.
+    void setDepth(unsigned depth);
+    unsigned depth() const;
+    /// Of the frames that have ended.
     RenderStatistics statistics() const;
     /// Sends workers home once every tile is handed out; open() ends that.
     void close();
     void open();
 
-    std::optional<TileJob> next() override;
-    void done(const TileJob& job, const TilePixels& pixels) override;
-    void failed(const TileJob& job, std::exception_ptr reason) noexcept override;
+    bool next(TileJob& job) override;
+    void done(TileJob& job, const TilePixels& pixels) override;
+    void failed(TileJob& job, std::exception_ptr reason) noexcept override;
 
 private:
-    static constexpr std::size_t kCacheLine = 64;
-    using Tiles = std::shared_ptr<const std::vector<Tile>>;
+    static bool take(QueuedFrame& frame, TileJob& job);
+    bool mayStart(const QueuedFrame& frame) const;
+    void finish(QueuedFrame& frame, uint64_t tiles) noexcept;
+    void endFrames(std::unique_lock<std::mutex>& lock) noexcept;
+    QueuedFramePtr findEnded() const;
+    void remove(const QueuedFrame& frame);
 
-    /// Where a frame sits while it is incomplete. `frame` and `tiles` change only while no tile
-    /// is handed out; who holds a tile may read them.
-    struct Slot {
-        std::shared_ptr<const Frame> frame;
-        Tiles tiles;
-        std::exception_ptr failure; // guarded by mutex_
-        // Tiles not handed out (0 and less: none), and tiles neither done, failed nor dropped.
-        alignas(kCacheLine) std::atomic<int64_t> waiting{0};
-        alignas(kCacheLine) std::atomic<uint64_t> unfinished{0};
-        std::atomic<uint64_t> primaryRays{0}, shadowRays{0}, secondaryRays{0}, badPixels{0};
-    };
-
-    Slot& slotOf(uint64_t number) const { return slots_[number % depth_]; }
-    const Slot* find(uint64_t frameId) const;
-    void finish(Slot& slot, uint64_t tiles) noexcept;
-    void complete() noexcept;
-
-    const unsigned depth_;
-    const std::unique_ptr<Slot[]> slots_;
-
-    mutable std::mutex mutex_; // guards what follows; dealing_ is read without it
-    std::condition_variable submittedOrClosed_, completedOne_;
-    std::atomic<uint64_t> dealing_{0}; // number of the frame whose tiles go out
-    uint64_t submitted_ = 0, completed_ = 0;
+    const std::shared_ptr<QueueSignal> signal_; // its mutex guards what follows
+    std::condition_variable ended_;
+    QueuedFramePtr first_; // linked by behind_
+    QueuedFrame* last_ = nullptr;
+    unsigned depth_, incomplete_ = 0;
     bool closed_ = false;
-    std::map<uint64_t, std::exception_ptr> failures_; // by frame id; null while in the queue
+    bool ending_ = false; ///< some thread is ending frames, and will look again
     RenderStatistics statistics_;
-    Tiles lastTiles_; // of the picture size used last
+
+    // Of the picture size used last; of the thread that submits.
+    QueuedFrame::Tiles lastTiles_;
     uint32_t lastWidth_ = 0, lastHeight_ = 0;
 };
 

@@ -1,17 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "libsmart/render/tile_tracer.h"
 #include "libsmart/render/tracer.h"
 
 namespace smart {
 
-/// The default tracer. A tile is always traced as blocks of eight by eight pixels, each of four
-/// packets of four by four camera rays, whatever the instruction set and the thread; pixels
-/// outside the tile or the viewport are lanes without a ray. A frame with a rendering object is
-/// traced pixel by pixel instead, as that object asks.
+/// The tracer. DynamicShading serves every frame. With FixedShading<S> shaders of class S are
+/// compiled into it; frames that use surfaces of other classes besides are left to the general
+/// tracer. The picture is the same.
+template <class Shading = DynamicShading>
 class PacketTracer final : public Tracer {
 public:
-    void render(const Frame& frame, const Tile& tile, TilePixels& pixels) const override;
+    explicit PacketTracer(ShadingForm form = ShadingForm::Packets) : form_(form) {}
+
+    void render(const Frame& frame, const Tile& tile, TilePixels& pixels) const override {
+        if (!Shading::serves(frame.shading()))
+            return PacketTracer<DynamicShading>(form_).render(frame, tile, pixels);
+        pixels.primaryRays = pixels.shadowRays = pixels.secondaryRays = pixels.badPixels = 0;
+        TileTracer<Shading> tracer(frame, tile, pixels, form_);
+        if (frame.renderingObject)
+            tracer.tracePixels();
+        else
+            tracer.tracePackets();
+    }
+
+private:
+    const ShadingForm form_;
 };
+
+extern template class TileTracer<DynamicShading>;
+extern template class PacketTracer<DynamicShading>;
 
 } // namespace smart

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "libsmart/render/frame_queue.h"
-#include "libsmart/render/packet_tracer.h"
+#include "libsmart/render/tracers.h"
 #include "libsmart/render/worker.h"
 
 namespace smart {
@@ -35,7 +35,7 @@ public:
     }
 
     unsigned threads;
-    PacketTracer tracer;
+    FrameTracer tracer;
     FrameQueue queue{kQueueDepth};
     std::optional<ThreadTeam> team;
 };
@@ -43,17 +43,26 @@ public:
 Renderer::Renderer(unsigned threads) : implementation_(std::make_unique<Implementation>(threads)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::submit(std::shared_ptr<const Frame> frame) {
+QueuedFramePtr Renderer::prepare(std::shared_ptr<const Frame> frame,
+                                 std::shared_ptr<FrameListener> listener) {
     implementation_->start();
+    return implementation_->queue.prepare(std::move(frame), std::move(listener));
+}
+
+void Renderer::submit(QueuedFramePtr frame) noexcept {
     implementation_->queue.submit(std::move(frame));
 }
 
-void Renderer::wait(uint64_t frameId) {
-    implementation_->queue.wait(frameId);
+void Renderer::waitAll() {
+    implementation_->queue.waitAll();
 }
 
-float Renderer::progress(uint64_t frameId) const {
-    return implementation_->queue.progress(frameId);
+void Renderer::setDepth(unsigned depth) {
+    implementation_->queue.setDepth(depth);
+}
+
+unsigned Renderer::depth() const {
+    return implementation_->queue.depth();
 }
 
 void Renderer::setThreads(unsigned threads) {

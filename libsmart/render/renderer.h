@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
-#include "libsmart/render/frame.h"
+#include "libsmart/render/queued_frame.h"
 #include "libsmart/render/render_statistics.h"
 
 namespace smart {
@@ -17,14 +16,18 @@ public:
     /// Waits for the frames that are queued.
     ~Renderer();
 
-    /// Queues a frame and returns at once, unless two are queued already: then it waits for the
-    /// first. Frames are rendered and completed in order. Throws where no thread can be started
-    /// or memory is out; the frame is not queued then.
-    void submit(std::shared_ptr<const Frame> frame);
-    /// Waits until the frame of this id is complete and forgets it; rethrows what made it fail.
-    void wait(uint64_t frameId);
-    /// 0..1, never decreasing; 1 for a frame that is complete or unknown. From any thread.
-    float progress(uint64_t frameId) const;
+    /// Makes ready to render a frame: everything that may fail. Throws where no thread can be
+    /// started or memory is out.
+    QueuedFramePtr prepare(std::shared_ptr<const Frame> frame,
+                           std::shared_ptr<FrameListener> listener = nullptr);
+    /// Queues the frame and returns at once, unless as many as the queue's depth are incomplete:
+    /// then it waits until one is. Frames are rendered and completed in order.
+    void submit(QueuedFramePtr frame) noexcept;
+    /// Waits for all frames that are queued.
+    void waitAll();
+    /// How many frames may be incomplete at once; 2 at the start.
+    void setDepth(unsigned depth);
+    unsigned depth() const;
     /// Waits for all queued frames, then changes the number of threads; 0 = all cores.
     void setThreads(unsigned threads);
     unsigned threads() const;

@@ -5,7 +5,7 @@
 #include <glm/vec4.hpp>
 
 #include "libsmart/render/camera_rays.h"
-#include "libsmart/render/shading_services.h"
+#include "libsmart/render/ray_services.h"
 
 namespace smart {
 
@@ -19,7 +19,7 @@ struct PixelResult {
 };
 
 /// Lets the frame's rendering object make one pixel. Precondition: the frame has one.
-PixelResult renderPixel(const Frame& frame, const CameraRays& camera, ShadingServices& services,
+PixelResult renderPixel(const Frame& frame, const CameraRays& camera, RayServices& services,
                         uint32_t x, uint32_t y);
 
 } // namespace smart

@@ -46,4 +46,15 @@ private:
     uint64_t state_ = 0;
 };
 
+/// A sample of a pixel while it is made: what all rays that belong to it share.
+struct PixelSample {
+    uint32_t x = 0, y = 0, number = 0;
+    RandomStream random;
+    bool fault = false; ///< a shader failed
+
+    constexpr PixelSample() = default;
+    constexpr PixelSample(uint32_t column, uint32_t row, uint32_t sample, uint32_t seed)
+        : x(column), y(row), number(sample), random(column, row, sample, seed) {}
+};
+
 } // namespace smart

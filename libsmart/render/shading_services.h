@@ -1,98 +1,167 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-#include <limits>
+#include <algorithm>
 
-#include "libsmart/kernel/kernels.h"
-#include "libsmart/render/frame.h"
-#include "libsmart/render/sampling.h"
-#include "libsmart/scene/hit_chain.h"
-#include "libsmart/scene/query.h"
+#include "libsmart/render/crossings.h"
+#include "libsmart/render/ray_services.h"
+#include "libsmart/render/shading_policy.h"
 
 namespace smart {
 
-/// What one camera ray brings home.
-struct ShadedSample {
-    glm::vec4 color{0.0f, 0.0f, 0.0f, 1.0f};
-    float distance = std::numeric_limits<float>::infinity();
-    glm::vec3 normal{0.0f}; ///< shading normal
-    uint32_t object = kNoId, instance = kNoId, primitive = kNoId;
-    bool bad = false; ///< a shader failed or its radiance is not finite; the colour is black then
-};
-
-/// Shades hits, and answers what shaders ask (RTSfunctions). One for each tile under way; belongs
-/// to the thread that renders it. The rays that shaders spawn are single ones.
-class ShadingServices {
+/// Shades what rays meet, in the manner of the policy, and answers all that shaders ask.
+template <class Shading = DynamicShading>
+class ShadingServices final : public RayServices {
 public:
-    /// `counters`: where rays are counted.
-    ShadingServices(const Frame& frame, TilePixels& counters);
-    ShadingServices(const ShadingServices&) = delete;
-    ShadingServices& operator=(const ShadingServices&) = delete;
+    ShadingServices(const Frame& frame, TilePixels& counters,
+                    ShadingForm form = ShadingForm::Packets)
+        : RayServices(frame, counters, form, kFunctions, kPacketFunctions) {}
 
-    /// Says which sample of which pixel the following calls belong to; restarts the random stream.
-    void beginSample(uint32_t x, uint32_t y, uint32_t sample);
+    ShadedSample traceCameraRay(const Ray& ray, const PathState& path) override;
+    /// Shades what the given rays hit, which all has the shader; nullptr is a fault of each.
+    /// `found`: what else is to be known of the hits, or nullptr.
+    void shadeGroup(const ShaderObject* surface, const RayGroup& rays, uint32_t lanes,
+                    glm::vec4 (&colors)[kPacketSize], ShadedSample* found);
 
-    /// Shades what a camera ray, with a direction of length 1, met. hit.triangle may be kNoHit.
-    ShadedSample shadeCameraRay(const Ray& ray, const Hit& hit);
-
-    /// Traces and shades a camera ray.
-    ShadedSample traceCameraRay(const Ray& ray);
-
-    /// A state at no surface, for shaders that are asked before a ray is traced.
-    RTSstate emptyState();
-
-    /// True if a shader failed since the last call.
-    bool takeFault();
-
-private:
-    /// Behind RTSstate::tracer: where the rays of a state start.
-    struct Origin {
-        ShadingServices* services;
-        const HitChain* chain = nullptr; ///< of the shaded point; nullptr: none
-        float u = 0, v = 0;
-        bool mayTrace = true; ///< false while shadows ask for transparency
-    };
-
-    // The entries of the function table.
-    static const RTSfunctions kFunctions;
+    /// The entries of the function tables that shade surfaces.
     static int trace(RTSstate*, const float origin[3], const float direction[3], float weight,
                      float radiance[3]);
-    static int traceHit(RTSstate*, const float origin[3], const float direction[3], RTShitinfo*);
     static int shadow(RTSstate*, const float origin[3], const float direction[3], float distance,
                       float attenuation[3]);
-    static RTuint lightCount(const RTSstate*);
-    static int illuminate(RTSstate*, RTuint light, RTSlightsample*);
-    static void texture(RTSstate*, RTuint texture, float s, float t, float rgba[4]);
-    static void environment(RTSstate*, const float direction[3], float radiance[3]);
-    static float random(RTSstate*);
+    static RTuint packetTrace(RTSpacket*, RTuint lanes, const RTSvectors* origin,
+                              const RTSvectors* direction, const RTSfloats* weight, RTScolors*);
+    static RTuint packetShadow(RTSpacket*, RTuint lanes, const RTSvectors* origin,
+                               const RTSvectors* direction, const RTSfloats* distance, RTScolors*);
 
-    RTSstate makeState(Origin& origin, const Ray& ray, uint32_t depth, float weight) const;
-    Ray spawn(const RTSstate& state, const float origin[3], const float direction[3]) const;
-    Hit findHit(const Ray& ray) const;
-    HitChain chainOf(const Hit& hit) const;
-    /// Radiance and alpha from a hit; black if the shader fails. `camera`: what else a camera
-    /// ray's sample is to know, or nullptr.
-    glm::vec4 shadeHit(const Ray& ray, const Hit& hit, uint32_t depth, float weight,
-                       ShadedSample* camera);
-    glm::vec4 shadeMiss(const Ray& ray, uint32_t depth, float weight);
-    glm::vec3 attenuate(Ray ray, const RTSstate& from);
-    glm::vec3 transparency(const Ray& ray, const Hit& hit, const RTSstate& from);
-    const ShaderObject* findSurface(const HitChain& chain) const;
+private:
+    static constexpr RTSfunctions kFunctions = {
+        sizeof(RTSfunctions), trace,   traceHit,    shadow, lightCount,
+        illuminate,           texture, environment, random};
+    static constexpr RTSpacketfunctions kPacketFunctions = {
+        sizeof(RTSpacketfunctions), packetTrace,   packetTraceHit,    packetShadow,
+        packetLightCount,           packetIlluminate, packetTexture, packetEnvironment,
+        packetRandom};
 
-    const Frame& frame_;
-    TilePixels& counters_;
-    const KernelTable& kernels_;
-    const std::size_t precision_;
-    const uint32_t recursionLimit_;
-    uint32_t pixel_[2] = {0, 0};
-    uint32_t sample_ = 0;
-    RandomStream random_;
-    Origin nowhere_{this};
-    bool fault_ = false;
+    /// Radiance and alpha from a hit; black if the shader fails.
+    glm::vec4 shadeHit(const Ray& ray, const Hit& hit, const PathState& path,
+                       ShadedSample* found);
+    /// The same for points of one shader as a packet; false: that failed, and nothing counts.
+    bool shadePacket(const ShaderObject& surface, const RayGroup& rays, uint32_t lanes,
+                     glm::vec4 (&colors)[kPacketSize], ShadedSample* found);
+    /// What rays see, whatever they met.
+    void shadeRays(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
+    glm::vec3 attenuate(Ray ray, const PathState& path);
+    void attenuate(RayGroup& rays, uint32_t lanes, glm::vec3 (&products)[kPacketSize]);
+    glm::vec3 transparency(const Ray& ray, const Hit& hit, const PathState& path);
 };
+
+template <class Shading>
+ShadedSample ShadingServices<Shading>::traceCameraRay(const Ray& ray, const PathState& path) {
+    ++counters_.primaryRays;
+    const Hit hit = findHit(ray);
+    ShadedSample sample;
+    sample.color =
+        hit.triangle == kNoHit ? shadeMiss(ray, path) : shadeHit(ray, hit, path, &sample);
+    sample.judge(*path.sample);
+    return sample;
+}
+
+template <class Shading>
+glm::vec4 ShadingServices<Shading>::shadeHit(const Ray& ray, const Hit& hit, const PathState& path,
+                                             ShadedSample* found) {
+    PointState point;
+    atHit(ray, hit, path, point);
+    RTSstate& state = point.state;
+    if (found) found->describe(hit, state);
+    const ShaderObject* shader = findSurface(point.chain);
+    if (shader) fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, state);
+    if (!shader || Shading::template shade<ShadingServices>(*shader, state) != 0) {
+        path.sample->fault = true;
+        return {0.0f, 0.0f, 0.0f, 1.0f};
+    }
+    return {state.result[0], state.result[1], state.result[2], state.result[3]};
+}
+
+// What transparent surfaces leave of the light: the nearest hits one after the other.
+template <class Shading>
+glm::vec3 ShadingServices<Shading>::attenuate(Ray ray, const PathState& path) {
+    glm::vec3 product(1.0f);
+    Crossings crossings;
+    for (int i = 0; i < kMaxTransparentHits; ++i) {
+        ++counters_.shadowRays;
+        const Hit hit = findHit(ray);
+        if (hit.triangle == kNoHit) return product;
+        if (crossings.add(hit)) product *= transparency(ray, hit, path);
+        if (product == glm::vec3(0.0f)) return product;
+        ray.tNear = crossings.beyond(hit);
+    }
+    return glm::vec3(0.0f);
+}
+
+template <class Shading>
+glm::vec3 ShadingServices<Shading>::transparency(const Ray& ray, const Hit& hit,
+                                                 const PathState& path) {
+    const HitChain chain = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
+    const ShaderObject* shader = findSurface(chain);
+    if (!shader || !Shading::answersTransparency(*shader)) return glm::vec3(0.0f);
+    PointState point;
+    atHit(ray, hit, path, point);
+    point.start.mayTrace = false;
+    fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, point.state);
+    float rgb[3] = {0.0f, 0.0f, 0.0f};
+    const int result = Shading::template transparency<ShadingServices>(*shader, point.state, rgb);
+    if (result != 0 || !isFinite({rgb[0], rgb[1], rgb[2], 0.0f})) {
+        point.start.sample->fault = true;
+        return glm::vec3(0.0f);
+    }
+    return {std::clamp(rgb[0], 0.0f, 1.0f), std::clamp(rgb[1], 0.0f, 1.0f),
+            std::clamp(rgb[2], 0.0f, 1.0f)};
+}
+
+template <class Shading>
+int ShadingServices<Shading>::trace(RTSstate* state, const float origin[3],
+                                    const float direction[3], float weight, float radiance[3]) {
+    ShadingServices& self = static_cast<ShadingServices&>(*startOf(*state).services);
+    std::fill_n(radiance, 3, 0.0f);
+    const float share = self.shareOf(weight, state->weight, state->depth);
+    if (share < 0.0f || !mayTrace(*state)) return 0;
+    const Ray ray = spawn(*state, origin, direction);
+    ++self.counters_.secondaryRays;
+    const Hit hit = self.findHit(ray);
+    const PathState path = onward(*state, share);
+    const glm::vec4 color = hit.triangle == kNoHit ? self.shadeMiss(ray, path)
+                                                   : self.shadeHit(ray, hit, path, nullptr);
+    for (int k = 0; k < 3; ++k) radiance[k] = color[k];
+    return 1;
+}
+
+template <class Shading>
+int ShadingServices<Shading>::shadow(RTSstate* state, const float origin[3],
+                                     const float direction[3], float distance,
+                                     float attenuation[3]) {
+    ShadingServices& self = static_cast<ShadingServices&>(*startOf(*state).services);
+    const bool traced = mayTrace(*state);
+    std::fill_n(attenuation, 3, traced ? 1.0f : 0.0f);
+    if (!traced) return 0;
+    if (!(distance > 0.0f)) return 1;
+    Ray ray = spawn(*state, origin, direction);
+    ray.tFar = distance * kBeforeLight;
+    if (self.shading_.transparent) {
+        const glm::vec3 left = self.attenuate(ray, onward(*state, state->weight));
+        for (int k = 0; k < 3; ++k) attenuation[k] = left[k];
+        return 1;
+    }
+    ++self.counters_.shadowRays;
+    if (self.isOccluded(ray)) std::fill_n(attenuation, 3, 0.0f);
+    return 1;
+}
+
+} // namespace smart
+
+#include "libsmart/render/packet_shading.h"
+
+namespace smart {
+
+extern template class ShadingServices<DynamicShading>;
 
 } // namespace smart

@@ -6,6 +6,7 @@
 #include <exception>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #if defined(__linux__)
 #include <pthread.h>
@@ -43,6 +44,8 @@ public:
     SignalsBlocked& operator=(const SignalsBlocked&) = delete;
 };
 
+thread_local bool isWorker = false;
+
 void nameThisThread([[maybe_unused]] unsigned number) {
 #if defined(__linux__)
     const std::string name = "openrt-" + std::to_string(number); // the system takes 15 characters
@@ -54,14 +57,23 @@ void nameThisThread([[maybe_unused]] unsigned number) {
 
 void work(TileSource& source, const Tracer& tracer) {
     TilePixels pixels;
-    while (const auto job = source.next()) {
+    TileJob job;
+    while (source.next(job)) {
+        std::exception_ptr failure; // handed on when this thread holds nothing of it any more
         try {
-            tracer.render(*job->frame, job->tile, pixels);
-            source.done(*job, pixels);
+            tracer.render(*job.frame, job.tile, pixels);
         } catch (...) {
-            source.failed(*job, std::current_exception());
+            failure = std::current_exception();
         }
+        if (failure)
+            source.failed(job, std::move(failure));
+        else
+            source.done(job, pixels);
     }
+}
+
+bool onWorkerThread() noexcept {
+    return isWorker;
 }
 
 ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& tracer) {
@@ -72,6 +84,7 @@ ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& trace
             threads_.emplace_back([&source, &tracer, i] {
                 const FpEnvironment standard;
                 nameThisThread(i);
+                isWorker = true;
                 work(source, tracer);
             });
         } catch (const std::system_error&) {

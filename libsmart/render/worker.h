@@ -25,6 +25,9 @@ private:
     std::vector<std::jthread> threads_;
 };
 
+/// Whether the calling thread is one of a ThreadTeam's: it must not wait for frames.
+bool onWorkerThread() noexcept;
+
 /// Processor cores that this process may use; at least 1.
 unsigned coreCount();
 

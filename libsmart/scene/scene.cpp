@@ -13,8 +13,11 @@ public:
     void add(const InstanceGroup& group) {
         statistics.droppedInstances += group.dropped();
         add(group.tree());
+        const Model* last = nullptr; // runs of one model are common
         for (const Instance& instance : group.instances()) {
-            if (instance.model && seen_.insert(instance.model.get()).second) add(*instance.model);
+            const Model* const model = instance.model.get();
+            if (model != last && model && seen_.insert(model).second) add(*model);
+            last = model;
         }
     }
 
@@ -31,7 +34,7 @@ private:
     void add(const KdTree& tree) {
         statistics.nodes += tree.nodes.size();
         statistics.references += tree.prims.size();
-        for (const KdNode& node : tree.nodes) statistics.leaves += (node.bits & 3) == kKdLeaf;
+        statistics.leaves += (tree.nodes.size() + 1) / 2; // inner nodes have two children
     }
 
     std::unordered_set<const Model*> seen_;

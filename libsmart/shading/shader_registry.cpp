@@ -63,15 +63,23 @@ std::shared_ptr<const ShaderTable> ShaderRegistry::freeze() {
     const std::lock_guard lock(registered_->mutex);
     if (!registered_->changed) return registered_->table;
     auto table = std::make_shared<ShaderTable>(registered_->living.size());
+    bool failed = false;
     for (std::size_t i = 0; i < table->size(); ++i) {
         Shader* shader = registered_->living[i];
         if (!shader) continue;
-        if (!shader->frozen_)
-            shader->frozen_ = std::make_shared<const ShaderObject>(shader->class_, shader->values_);
+        if (!shader->frozen_) {
+            try {
+                shader->frozen_ =
+                    std::make_shared<const ShaderObject>(shader->class_, shader->values_);
+            } catch (const Error&) {
+                failed = true; // without an object only what uses this shader suffers
+                continue;
+            }
+        }
         (*table)[i] = shader->frozen_;
     }
     registered_->table = table;
-    registered_->changed = false;
+    registered_->changed = failed; // tried again next time
     return table;
 }
 

@@ -53,7 +53,8 @@ public:
     /// The shader of index 0: class "FixedFunction", made with the registry.
     const std::shared_ptr<Shader>& defaultSurface() const { return defaultSurface_; }
     /// Immutable objects of all living shaders; a shader that did not change keeps its object.
-    /// The same table again if nothing changed since. Throws Error when a constructor fails.
+    /// The same table again if nothing changed since. A shader whose constructor fails has no
+    /// object in it, and is tried again the next time.
     std::shared_ptr<const ShaderTable> freeze();
 
 private:

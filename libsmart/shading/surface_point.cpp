@@ -27,23 +27,6 @@ void store(float (&to)[3], const glm::dvec3& from) {
 
 glm::dvec3 vertex(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-/// Normals of the model in its own space to the world: times the inverse transpose.
-class NormalMatrix {
-public:
-    explicit NormalMatrix(const glm::dmat4x3& toWorld) {
-        const glm::dvec3 x = toWorld[0], y = toWorld[1], z = toWorld[2];
-        cofactors_ = {glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
-        determinant_ = glm::dot(x, cofactors_[0]);
-    }
-    glm::dvec3 operator()(const glm::dvec3& normal) const {
-        return cofactors_ * normal / determinant_;
-    }
-
-private:
-    glm::dmat3 cofactors_;
-    double determinant_;
-};
-
 /// Attributes of a hit's three vertices, by the rule that what an object did not set comes from
 /// its instance, and what that one's parent did not set either from the instance above it.
 class Corners {
@@ -80,8 +63,9 @@ private:
 };
 
 /// Shading normal in the world, as interpolation leaves it; false: no vertex has a normal.
-bool interpolateNormal(const HitChain& chain, const Corners& corners, const glm::dvec3& weights,
-                       glm::dvec3& normal) {
+bool interpolateNormal(SurfaceTriangle& triangle, const Corners& corners,
+                       const glm::dvec3& weights, glm::dvec3& normal) {
+    const HitChain& chain = triangle.chain();
     const ShadingData& shading = chain.model->shading;
     const glm::vec3* given[3];
     for (int i = 0; i < 3; ++i) given[i] = corners.find(shading.normals, shading.firstNormal, i);
@@ -94,7 +78,7 @@ bool interpolateNormal(const HitChain& chain, const Corners& corners, const glm:
     }
     glm::dvec3 sum(0.0);
     for (int i = 0; i < 3; ++i) sum += weights[i] * (given[i] ? glm::dvec3(*given[i]) : geometric);
-    normal = NormalMatrix(chain.toWorld)(sum);
+    normal = triangle.toWorld(sum);
     return true;
 }
 
@@ -104,10 +88,27 @@ void interpolate(const glm::vec4 (&corners)[3], const glm::dvec3& weights, float
                       weights[2] * corners[2][k]);
 }
 
+/// Texture coordinates per unit of length on a triangle: the root of its area in the one divided
+/// by its area in the other.
+float densityOf(const glm::vec4 (&corners)[3], double doubleArea) {
+    const double s1 = double(corners[1].x) - corners[0].x, t1 = double(corners[1].y) - corners[0].y;
+    const double s2 = double(corners[2].x) - corners[0].x, t2 = double(corners[2].y) - corners[0].y;
+    const float density = float(std::sqrt(std::fabs(s1 * t2 - s2 * t1) / doubleArea));
+    return std::isfinite(density) ? density : 0.0f;
+}
+
 const std::byte* findBlock(const std::vector<uint32_t>& offsets, const std::vector<std::byte>& data,
                            uint32_t index) {
     if (offsets.empty() || offsets[index] == ShadingData::kNone) return nullptr;
     return data.data() + offsets[index];
+}
+
+/// Weights of the corners. u and v were rounded each by itself: together they may exceed 1 by a
+/// little, and name a point beside the triangle, which need not be inside a closed body any more.
+glm::dvec3 weightsOf(float u, float v) {
+    const double sum = double(u) + double(v);
+    if (sum > 1.0) return {0.0, u / sum, v / sum};
+    return {1.0 - sum, u, v};
 }
 
 uint32_t ownShader(const HitChain& chain) {
@@ -126,8 +127,35 @@ uint32_t effectiveShader(const HitChain& chain) {
     return shader;
 }
 
-void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, float t, float u,
-                      float v, RTSstate& state) {
+SurfaceTriangle::SurfaceTriangle(const HitChain& chain)
+    : chain_(&chain),
+      corners_{chain.worldVertex(0), chain.worldVertex(1), chain.worldVertex(2)},
+      areaNormal_(chain.worldNormal()),
+      normal_(areaNormal_),
+      hasNormal_(normalizeSafely(normal_)) {}
+
+const glm::dvec3& SurfaceTriangle::flatShadingNormal() {
+    if (!hasFlat_) {
+        flat_ = normal_;
+        normalizeSafely(flat_);
+        hasFlat_ = true;
+    }
+    return flat_;
+}
+
+glm::dvec3 SurfaceTriangle::toWorld(const glm::dvec3& normal) {
+    if (!hasCofactors_) {
+        const glm::dvec3 x = chain_->toWorld[0], y = chain_->toWorld[1], z = chain_->toWorld[2];
+        cofactors_ = {glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
+        determinant_ = glm::dot(x, cofactors_[0]);
+        hasCofactors_ = true;
+    }
+    return cofactors_ * normal / determinant_;
+}
+
+void fillSurfacePoint(SurfaceTriangle& triangle, uint32_t instance, const Ray& ray, float t,
+                      float u, float v, RTSstate& state) {
+    const HitChain& chain = triangle.chain();
     glm::dvec3 direction(ray.dir[0], ray.dir[1], ray.dir[2]);
     const double length = std::sqrt(glm::dot(direction, direction));
     normalizeSafely(direction);
@@ -135,28 +163,35 @@ void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, 
     store(state.rayDirection, direction);
     state.rayDistance = float(t * length);
 
-    const glm::dvec3 weights(1.0 - u - v, u, v);
+    const glm::dvec3 weights = weightsOf(u, v);
     store(state.barycentric, weights);
-    store(state.position, weights[0] * chain.worldVertex(0) + weights[1] * chain.worldVertex(1) +
-                              weights[2] * chain.worldVertex(2));
+    store(state.position, weights[0] * triangle.corner(0) + weights[1] * triangle.corner(1) +
+                              weights[2] * triangle.corner(2));
 
     // Underflow may take the normal of a triangle that is hit: then it faces the ray.
-    glm::dvec3 geometric = chain.worldNormal();
-    if (!normalizeSafely(geometric)) geometric = -direction;
+    const glm::dvec3 geometric = triangle.normal() ? *triangle.normal() : -direction;
     store(state.geometricNormal, geometric);
     state.frontFace = glm::dot(direction, geometric) > 0 ? 0u : 1u;
 
     const Corners corners(chain);
     glm::dvec3 normal;
-    if (!interpolateNormal(chain, corners, weights, normal)) normal = geometric;
-    store(state.rawNormal, normal);
-    store(state.shadingNormal, normalizeSafely(normal) ? normal : geometric);
+    if (interpolateNormal(triangle, corners, weights, normal)) {
+        store(state.rawNormal, normal);
+        store(state.shadingNormal, normalizeSafely(normal) ? normal : geometric);
+    } else {
+        store(state.rawNormal, geometric);
+        store(state.shadingNormal, triangle.normal() ? triangle.flatShadingNormal() : geometric);
+    }
 
     const ShadingData& shading = chain.model->shading;
     glm::vec4 values[3];
     corners.get(shading.texCoords, shading.firstTexCoord, &InheritedAttributes::ownTexCoord,
                 &InheritedAttributes::texCoord, values);
     interpolate(values, weights, state.texCoord);
+    state.texCoordDensity =
+        shading.texCoords.empty()
+            ? 0.0f
+            : densityOf(values, std::sqrt(glm::dot(triangle.areaNormal(), triangle.areaNormal())));
     corners.get(shading.colors, shading.firstColor, &InheritedAttributes::ownColor,
                 &InheritedAttributes::color, values);
     interpolate(values, weights, state.color);

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 
 #include "libsmart/kernel/packet.h"
 #include "libsmart/scene/hit_chain.h"
@@ -14,13 +16,44 @@ namespace smart {
 /// it, from the innermost outward.
 uint32_t effectiveShader(const HitChain& chain);
 
+/// What the hits of one triangle, met in one way, have in common. Made for the first of them, whose
+/// chain has to live as long.
+class SurfaceTriangle {
+public:
+    explicit SurfaceTriangle(const HitChain& chain);
+
+    const HitChain& chain() const { return *chain_; }
+    /// Corner in the world.
+    const glm::dvec3& corner(int i) const { return corners_[i]; }
+    /// As long as twice the triangle's area.
+    const glm::dvec3& areaNormal() const { return areaNormal_; }
+    /// Length 1; nullptr: underflow took it.
+    const glm::dvec3* normal() const { return hasNormal_ ? &normal_ : nullptr; }
+    /// The normal of length 1, normalised once more.
+    const glm::dvec3& flatShadingNormal();
+    /// A normal of the model's in its own space to the world: times the inverse transpose.
+    glm::dvec3 toWorld(const glm::dvec3& normal);
+
+private:
+    const HitChain* chain_;
+    glm::dvec3 corners_[3], areaNormal_, normal_, flat_;
+    glm::dmat3 cofactors_;
+    double determinant_ = 0;
+    bool hasNormal_, hasFlat_ = false, hasCofactors_ = false;
+};
+
 /// Fills what a state says of the ray and of the point it met: position, normals, weights,
 /// texture coordinate, colour, side and ids. In double, rounded to float once, with no function
 /// whose bits depend on the machine. `instance`: number in the scene. t, u, v: the hit's.
 /// Attributes that the model does not have come from the innermost instance that does have them;
 /// normals that it does not have are the geometric one.
-void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, float t, float u,
-                      float v, RTSstate& state);
+void fillSurfacePoint(SurfaceTriangle& triangle, uint32_t instance, const Ray& ray, float t,
+                      float u, float v, RTSstate& state);
+inline void fillSurfacePoint(const HitChain& chain, uint32_t instance, const Ray& ray, float t,
+                             float u, float v, RTSstate& state) {
+    SurfaceTriangle triangle(chain);
+    fillSurfacePoint(triangle, instance, ray, t, u, v, state);
+}
 
 /// Memory for an interpolated per-vertex block.
 struct VertexScratch {

@@ -2,159 +2,195 @@
 #include "libsmart/shading/texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
-#include "libsmart/base/error.h"
 #include "libsmart/base/transcendental.h"
 
 namespace smart {
 
 namespace {
 
-constexpr uint32_t kMaxSide = 1u << 20;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLn2 = 0.69314718055994530942;
 
-std::size_t bytesPerChannel(TexelType type) {
-    switch (type) {
-    case TexelType::Byte: return 1;
-    case TexelType::Short: return 2;
-    case TexelType::Float: return 4;
-    }
-    return 0;
+double powerOfTwo(double exponent) {
+    return math::detail::expOf(exponent * kLn2);
 }
 
-struct ByteTables {
-    std::array<float, 256> linear, srgb;
-    ByteTables() {
-        for (int i = 0; i < 256; ++i) {
-            linear[std::size_t(i)] = float(i / 255.0);
-            const double encoded = i / 255.0;
-            srgb[std::size_t(i)] = float(
-                encoded <= 0.04045
-                    ? encoded / 12.92
-                    : math::detail::expOf(2.4 * math::detail::logOf((encoded + 0.055) / 1.055)));
-        }
+/// A finite coordinate, brought into [0, 1] where that does not depend on the size of the image,
+/// or to where anything beyond is the same. Exact: the fractional part of a double is.
+double wrapped(double c, TextureWrap wrap) {
+    switch (wrap) {
+    case TextureWrap::Repeat: return c - std::floor(c);
+    case TextureWrap::Mirror:
+        c -= 2 * std::floor(c * 0.5);
+        return c > 1 ? 2 - c : c;
+    case TextureWrap::ClampToBorder: return std::clamp(c, -1.0, 2.0);
+    case TextureWrap::ClampToEdge:
+    case TextureWrap::Clamp: break;
+    }
+    return std::clamp(c, 0.0, 1.0);
+}
+
+constexpr int64_t kOutside = -1;
+
+/// The texel of a row or column that stands for number `index`, from [-1, size].
+int64_t wrapTexel(int64_t index, int64_t size, TextureWrap wrap) {
+    if (index >= 0 && index < size) return index;
+    switch (wrap) {
+    case TextureWrap::Repeat: return index < 0 ? size - 1 : 0;
+    case TextureWrap::Mirror:
+    case TextureWrap::ClampToEdge: return index < 0 ? 0 : size - 1;
+    case TextureWrap::ClampToBorder:
+    case TextureWrap::Clamp: break;
+    }
+    return kOutside;
+}
+
+/// One axis of a look-up with the nearest texel.
+int64_t nearestTexel(double unit, uint32_t size, TextureWrap wrap) {
+    if (unit == 1 && wrap != TextureWrap::Repeat) return size - 1;
+    const double at = std::clamp(std::floor(unit * size), -1.0, double(size));
+    return wrapTexel(int64_t(at), size, wrap);
+}
+
+/// One axis of a linear look-up: two texels, and the weight of the second.
+struct LinearTexels {
+    int64_t texels[2];
+    double weight;
+
+    LinearTexels(double unit, uint32_t size, TextureWrap wrap) {
+        // Texel centres lie at half numbers. Half a texel beyond the border it is the border
+        // colour alone.
+        const double x = std::clamp(unit * size, -0.5, size + 0.5) - 0.5;
+        const double first = std::floor(x);
+        weight = x - first;
+        texels[0] = wrapTexel(int64_t(first), size, wrap);
+        texels[1] = wrapTexel(int64_t(first) + 1, size, wrap);
     }
 };
 
-const ByteTables& byteTables() {
-    static const ByteTables tables;
-    return tables;
+std::size_t texelNumber(int64_t column, int64_t row, uint32_t width) {
+    if (column == kOutside || row == kOutside) return TextureImage::kNoTexel;
+    return std::size_t(row) * width + std::size_t(column);
 }
 
-/// Linear filtering multiplies texels by 0: none may be infinite or NaN.
-void replaceNonFinite(std::vector<std::byte>& texels) {
-    for (std::size_t i = 0; i + sizeof(float) <= texels.size(); i += sizeof(float)) {
-        float value = 0;
-        std::memcpy(&value, texels.data() + i, sizeof(value));
-        if (std::isfinite(value)) continue;
-        constexpr float kLargest = std::numeric_limits<float>::max();
-        value = std::isnan(value) ? 0.0f : value > 0 ? kLargest : -kLargest;
-        std::memcpy(texels.data() + i, &value, sizeof(value));
-    }
+/// In double, where no product of floats overflows, and which gives a where a equals b.
+double mixed(double a, double b, double weight) {
+    return a + (b - a) * weight;
 }
 
-/// A finite texture coordinate in texels along one axis. Exact up to the last product: the
-/// fractional part of a double is.
-double toTexels(float coordinate, uint32_t size, TextureWrap wrap) {
-    double c = coordinate;
-    switch (wrap) {
-    case TextureWrap::Repeat: c -= std::floor(c); break;
-    case TextureWrap::Clamp: c = std::clamp(c, 0.0, 1.0); break;
-    case TextureWrap::Mirror:
-        c -= 2 * std::floor(c * 0.5);
-        if (c > 1) c = 2 - c;
-        break;
+/// A border colour as texels with these channels are read.
+glm::vec4 borderTexel(const glm::vec4& color, const TextureImage& image) {
+    glm::vec4 border = color;
+    for (int k = 0; k < 4; ++k) {
+        float& value = border[k];
+        if (!std::isfinite(value)) value = 0;
+        if (image.type() == TexelType::Byte || image.type() == TexelType::Short)
+            value = std::clamp(value, 0.0f, 1.0f);
     }
-    return c * size;
-}
-
-/// Brings a texel number from [-1, size] into the image. Mirroring repeats the border texel.
-uint32_t wrapTexel(int64_t index, uint32_t size, TextureWrap wrap) {
-    if (wrap == TextureWrap::Repeat) {
-        if (index < 0) return size - 1;
-        return index >= int64_t(size) ? 0 : uint32_t(index);
-    }
-    return uint32_t(std::clamp<int64_t>(index, 0, int64_t(size) - 1));
+    if (image.channels() < 3) border.y = border.z = border.x;
+    if (image.channels() % 2 != 0) border.w = 1;
+    return border;
 }
 
 } // namespace
 
+/// Where a look-up goes to.
+struct Texture::Place {
+    double s, t;
+};
+
+Texture::Texture(std::shared_ptr<const TextureLevels> levels, const TextureOptions& options)
+    : levels_(std::move(levels)), options_(options),
+      border_(borderTexel(options.border, levels_->first())) {
+    TextureOptions& o = options_;
+    if (std::isnan(o.minLevel)) o.minLevel = TextureOptions().minLevel;
+    if (std::isnan(o.maxLevel)) o.maxLevel = TextureOptions().maxLevel;
+    if (std::isnan(o.levelBias)) o.levelBias = 0;
+    o.firstLevel = std::min(o.firstLevel, levels_->count() - 1);
+    o.lastLevel = std::clamp(o.lastLevel, o.firstLevel, levels_->count() - 1);
+    double width = levels_->first().width(), height = levels_->first().height();
+    for (uint32_t level = 0; level < o.firstLevel; ++level) {
+        width = std::max(1.0, std::floor(width / 2));
+        height = std::max(1.0, std::floor(height / 2));
+    }
+    const double bias = double(std::clamp(o.levelBias, -o.kMaxBias, o.kMaxBias));
+    scale_ = std::sqrt(width * height) * powerOfTwo(bias);
+
+    // OpenGL 1.5, 3.8.9: these two filters together would jump where one follows the other.
+    const bool late = o.magnification == TextureFilter::Linear &&
+                      o.minification.filter == TextureFilter::Nearest &&
+                      o.minification.levels != LevelChoice::First;
+    const float from = late ? 0.5f : 0.0f;
+    if (o.minLevel > from) minified_ = -1;
+    else if (o.maxLevel <= from) minified_ = kInfinity;
+    else minified_ = powerOfTwo(from) / scale_;
+    if (o.minification.filter == o.magnification && o.minification.levels == LevelChoice::First)
+        minified_ = kInfinity; // the same look-up
+}
+
 Texture::Texture(uint32_t width, uint32_t height, uint32_t channels, TexelType type,
                  std::vector<std::byte> texels, const TextureOptions& options)
-    : width_(width), height_(height), channels_(channels), type_(type),
-      texels_(std::move(texels)), options_(options) {
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide)
-        throw Error(ErrorCode::InvalidValue,
-                    "texture of " + size + " texels; each side must have 1 to 1048576");
-    if (channels < 1 || channels > 4)
-        throw Error(ErrorCode::InvalidValue, "texture with " + std::to_string(channels) +
-                                                 " channels; there may be 1 to 4");
-    const std::size_t wanted = std::size_t(width) * height * channels * bytesPerChannel(type);
-    if (texels_.size() != wanted)
-        throw Error(ErrorCode::InvalidValue, "texture of " + size + " texels needs " +
-                                                 std::to_string(wanted) + " bytes, not " +
-                                                 std::to_string(texels_.size()));
-    if (type == TexelType::Float) replaceNonFinite(texels_);
-}
+    : Texture(std::make_shared<const TextureLevels>(std::make_shared<const TextureImage>(
+                  width, height, channels, type, false, std::move(texels))),
+              options) {}
 
-glm::vec4 Texture::texel(uint32_t x, uint32_t y) const {
-    const std::size_t first = (std::size_t(y) * width_ + x) * channels_;
-    const bool hasAlpha = channels_ % 2 == 0;
-    float v[4];
-    switch (type_) {
-    case TexelType::Byte: {
-        const ByteTables& tables = byteTables();
-        const auto* bytes = reinterpret_cast<const unsigned char*>(texels_.data()) + first;
-        const auto& colors = options_.srgb ? tables.srgb : tables.linear;
-        for (uint32_t i = 0; i < channels_; ++i)
-            v[i] = hasAlpha && i + 1 == channels_ ? tables.linear[bytes[i]] : colors[bytes[i]];
-        break;
-    }
-    case TexelType::Short:
-        for (uint32_t i = 0; i < channels_; ++i) {
-            uint16_t value = 0;
-            std::memcpy(&value, texels_.data() + (first + i) * sizeof(value), sizeof(value));
-            v[i] = float(value) / 65535.0f;
-        }
-        break;
-    case TexelType::Float:
-        std::memcpy(v, texels_.data() + first * sizeof(float), channels_ * sizeof(float));
-        break;
-    }
-    switch (channels_) {
-    case 1: return {v[0], v[0], v[0], 1.0f};
-    case 2: return {v[0], v[0], v[0], v[1]};
-    case 3: return {v[0], v[1], v[2], 1.0f};
-    default: return {v[0], v[1], v[2], v[3]};
-    }
-}
-
-glm::vec4 Texture::sample(float s, float t) const {
+glm::vec4 Texture::sample(float s, float t, float footprint) const noexcept {
     if (!std::isfinite(s) || !std::isfinite(t)) return {0.0f, 0.0f, 0.0f, 1.0f};
-    const double x = toTexels(s, width_, options_.wrapS), y = toTexels(t, height_, options_.wrapT);
-    const auto column = [&](double i) { return wrapTexel(int64_t(i), width_, options_.wrapS); };
-    const auto row = [&](double i) { return wrapTexel(int64_t(i), height_, options_.wrapT); };
-    if (options_.filter == TextureFilter::Nearest)
-        return texel(column(std::floor(x)), row(std::floor(y)));
+    const Place place{wrapped(s, options_.wrapS), wrapped(t, options_.wrapT)};
+    if (footprint > minified_) return sampleMinified(place, footprint);
+    return sampleLevel((*levels_)[options_.firstLevel], place, options_.magnification);
+}
 
-    // Texel centres lie at half numbers. In double no product of floats overflows, and between
-    // equal texels the result is that texel exactly.
-    const double left = std::floor(x - 0.5), bottom = std::floor(y - 0.5);
-    const double fx = x - 0.5 - left, fy = y - 0.5 - bottom;
-    const uint32_t x0 = column(left), x1 = column(left + 1);
-    const uint32_t y0 = row(bottom), y1 = row(bottom + 1);
-    const glm::vec4 t00 = texel(x0, y0), t10 = texel(x1, y0);
-    const glm::vec4 t01 = texel(x0, y1), t11 = texel(x1, y1);
-    glm::vec4 result;
-    for (int i = 0; i < 4; ++i) {
-        const double low = t00[i] + (double(t10[i]) - t00[i]) * fx;
-        const double high = t01[i] + (double(t11[i]) - t01[i]) * fx;
-        result[i] = float(low + (high - low) * fy);
+glm::vec4 Texture::sampleMinified(const Place& place, float footprint) const {
+    const TextureLevels& levels = *levels_;
+    const uint32_t first = options_.firstLevel, last = options_.lastLevel;
+    const MinificationFilter how = options_.minification;
+    if (how.levels == LevelChoice::First || first == last)
+        return sampleLevel(levels[first], place, how.filter);
+
+    // Down to -1100 or so, far beyond what limits and levels leave; infinite: the last level.
+    const double texels = std::max(double(footprint) * scale_, 0x1p-1000);
+    double detail = texels < kInfinity ? math::detail::logOf(texels) / kLn2 : 2000.0;
+    detail = std::max(double(options_.minLevel), std::min(double(options_.maxLevel), detail));
+    const double highest = last - first;
+    if (how.levels == LevelChoice::Nearest) {
+        const double level = std::clamp(std::ceil(detail + 0.5) - 1, 0.0, highest);
+        return sampleLevel(levels[first + uint32_t(level)], place, how.filter);
     }
+    detail = std::clamp(detail, 0.0, highest);
+    const double level = std::floor(detail), weight = detail - level;
+    const glm::vec4 fine = sampleLevel(levels[first + uint32_t(level)], place, how.filter);
+    if (weight == 0) return fine;
+    const glm::vec4 coarse = sampleLevel(levels[first + uint32_t(level) + 1], place, how.filter);
+    glm::vec4 result;
+    for (int k = 0; k < 4; ++k) result[k] = float(mixed(fine[k], coarse[k], weight));
+    return result;
+}
+
+glm::vec4 Texture::sampleLevel(const TextureImage& image, const Place& place,
+                               TextureFilter filter) const {
+    const uint32_t width = image.width(), height = image.height();
+    const TextureWrap wrapS = options_.wrapS, wrapT = options_.wrapT;
+    if (filter == TextureFilter::Nearest) {
+        const std::size_t number[1] = {texelNumber(nearestTexel(place.s, width, wrapS),
+                                                   nearestTexel(place.t, height, wrapT), width)};
+        glm::vec4 texel = border_;
+        image.read(number, &texel);
+        return texel;
+    }
+    const LinearTexels x(place.s, width, wrapS), y(place.t, height, wrapT);
+    std::size_t numbers[4];
+    for (int i = 0; i < 4; ++i)
+        numbers[i] = texelNumber(x.texels[i % 2], y.texels[i / 2], width);
+    glm::vec4 texels[4] = {border_, border_, border_, border_};
+    image.read(numbers, texels);
+    glm::vec4 result;
+    for (int k = 0; k < 4; ++k)
+        result[k] = float(mixed(mixed(texels[0][k], texels[1][k], x.weight),
+                                mixed(texels[2][k], texels[3][k], x.weight), y.weight));
     return result;
 }
 

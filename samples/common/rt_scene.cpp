@@ -48,6 +48,18 @@ void checkRt() {
     }
 }
 
+void endFrame() {
+    checkRt();
+    rtEndRendering();
+    RTint badPixels = 0;
+    rtGetIntegerv(RT_STAT_BAD_PIXELS, &badPixels);
+    if (badPixels > 0) {
+        rtGetError();
+    } else {
+        checkRt();
+    }
+}
+
 RtScene::RtScene(const SceneDescription& scene, const Bounds& bounds, const View& view,
                  const Lighting& lighting)
     : textures_(scene.textures.size(), std::array<RTuint, 2>{0, 0}), exposure_(lighting.exposure) {
@@ -85,6 +97,8 @@ RTuint RtScene::texture(const SceneDescription& scene, int index, bool srgb) {
     rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_T, wrapToken(description.wrapT));
     rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MAG_FILTER,
                     description.nearest ? RT_NEAREST : RT_LINEAR);
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MIN_FILTER, RT_LINEAR_MIPMAP_LINEAR);
+    rtTexParameteri(RT_TEXTURE_2D, RT_GENERATE_MIPMAP, RT_TRUE);
     // The upper row first: t = 0 is then the upper edge, as texture coordinates here have it.
     rtTexImage2D(RT_TEXTURE_2D, 0, srgb ? RT_SRGB8_ALPHA8 : RT_RGBA8, RTsizei(image.width),
                  RTsizei(image.height), 0, RT_RGBA, RT_UNSIGNED_BYTE, image.rgba.data());
@@ -212,16 +226,29 @@ void RtScene::addSky() {
     set("scale", exposure_);
 }
 
-void RtScene::describeFrame(const View& view, float aspect) const {
+void RtScene::describeFrame(const View& view, float aspect, const FrameShaders& shaders) const {
     rtMatrixMode(RT_MODELVIEW);
     for (const Instance& instance : instances_) {
         rtLoadMatrixd(instance.matrix);
-        rtInstantiateObject(instance.object);
+        if (shaders.surface) {
+            rtInstantiateObjectShader(instance.object, shaders.surface);
+        } else {
+            rtInstantiateObject(instance.object);
+        }
     }
     rtLoadIdentity();
     for (RTuint light : lights_) rtUseLight(light);
-    rtUseEnvironmentShader(sky_);
+    for (RTuint light : shaders.lights) rtUseLight(light);
+    rtUseEnvironmentShader(shaders.environment ? shaders.environment : sky_);
+    if (shaders.renderingObject) rtUseRenderingObject(shaders.renderingObject);
+    if (shaders.camera) {
+        rtUseCamera(shaders.camera);
+    } else {
+        useCamera(view, aspect);
+    }
+}
 
+void RtScene::useCamera(const View& view, float aspect) const {
     const glm::vec3 forward = glm::normalize(view.target - view.eye);
     // Looking along `up` leaves the horizon open; any will do.
     glm::vec3 side = glm::cross(forward, view.up);

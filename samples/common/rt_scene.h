@@ -17,6 +17,12 @@ struct Lighting {
     float exposure = 1.0f;              ///< factor on all light
 };
 
+/// Shaders in the place of what the scene says; 0: none. The lights are beside those of the scene.
+struct FrameShaders {
+    RTuint surface = 0, camera = 0, environment = 0, renderingObject = 0;
+    std::vector<RTuint> lights;
+};
+
 /// A scene description as objects, shaders and textures of the current OpenRT context, which
 /// must outlive it. Throws std::runtime_error with the library's text if a call failed.
 class RtScene {
@@ -26,7 +32,7 @@ public:
             const Lighting& lighting);
 
     /// Gives the next frame its instances, lights, sky and camera.
-    void describeFrame(const View& view, float aspect) const;
+    void describeFrame(const View& view, float aspect, const FrameShaders& shaders = {}) const;
 
 private:
     struct Instance {
@@ -37,6 +43,7 @@ private:
     RTuint texture(const SceneDescription& scene, int index, bool srgb);
     RTuint surface(const SceneDescription& scene, const MaterialDescription& material);
     RTuint object(const MeshDescription& mesh, const std::vector<RTuint>& shaders);
+    void useCamera(const View& view, float aspect) const;
     void addLights(const SceneDescription& scene, const Bounds& bounds, const View& view,
                    const Lighting& lighting);
     void addSky();
@@ -50,5 +57,9 @@ private:
 
 /// Throws std::runtime_error with the library's text if a call since the last check failed.
 void checkRt();
+
+/// Waits for the frame in flight, and throws as checkRt does. Pixels in which a shader failed are
+/// no reason to: they are black, and counted (RT_STAT_BAD_PIXELS).
+void endFrame();
 
 } // namespace samples

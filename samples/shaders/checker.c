@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "openrt/rts_plugin.h"
 #include "sample_shaders.h"
 
 typedef struct Checker {
@@ -49,18 +50,25 @@ static int shade(const void *shader, RTSstate *state) {
     return 0;
 }
 
-const RTshaderclass *checkerClass(void) {
-    static const RTSparameter parameters[] = {
-        {"light", RTS_PER_SHADER, RTS_FLOAT3, offsetof(Checker, light), 12},
-        {"dark", RTS_PER_SHADER, RTS_FLOAT3, offsetof(Checker, dark), 12},
-        {"squares", RTS_PER_SHADER, RTS_FLOAT1, offsetof(Checker, squares), 4},
-        {"tint", RTS_PER_VERTEX, RTS_FLOAT3, offsetof(CheckerVertex, tint), 12}};
-    static const RTshaderclass descriptor = {
-        sizeof(RTshaderclass), RTS_INTERFACE_VERSION, RT_SURFACE_SHADER, "Checker",
-        sizeof(Checker),       0,                     sizeof(CheckerVertex),
-        sizeof(float),         parameters,            4,
-        construct,             NULL,                  shade,
-        NULL,                  NULL,                  NULL,
-        NULL};
-    return &descriptor;
-}
+static const RTSparameter parameters[] = {
+    {"light", RTS_PER_SHADER, RTS_FLOAT3, offsetof(Checker, light), sizeof(float[3])},
+    {"dark", RTS_PER_SHADER, RTS_FLOAT3, offsetof(Checker, dark), sizeof(float[3])},
+    {"squares", RTS_PER_SHADER, RTS_FLOAT1, offsetof(Checker, squares), sizeof(float)},
+    {"tint", RTS_PER_VERTEX, RTS_FLOAT3, offsetof(CheckerVertex, tint), sizeof(float[3])}};
+
+static const RTshaderclass checker = {
+    .structSize = sizeof(RTshaderclass),
+    .interfaceVersion = RTS_INTERFACE_VERSION,
+    .kind = RT_SURFACE_SHADER,
+    .name = "Checker",
+    .shaderSize = sizeof(Checker),
+    .vertexSize = sizeof(CheckerVertex),
+    .alignment = sizeof(float),
+    .parameters = parameters,
+    .parameterCount = sizeof parameters / sizeof parameters[0],
+    .construct = construct,
+    .shade = shade};
+
+RTS_PLUGIN(checker);
+
+const RTshaderclass *checkerClass(void) { return &checker; }

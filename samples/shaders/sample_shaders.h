@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Classes of shaders to learn from, one file each; hand them to rtRegisterShaderClass. */
+/* Two of the shader libraries for programs that contain them instead: their classes are handed to
+ * rtRegisterShaderClass. */
 #ifndef OPENRT_SAMPLE_SHADERS_H
 #define OPENRT_SAMPLE_SHADERS_H
 

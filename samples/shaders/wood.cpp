@@ -3,7 +3,7 @@
 // where they end, lit with shadows.
 #include <cmath>
 
-#include "openrt/shader.hpp"
+#include "openrt/plugin.hpp"
 #include "sample_shaders.h"
 
 namespace {
@@ -39,5 +39,7 @@ struct Wood {
 };
 
 } // namespace
+
+OPENRT_PLUGIN(Wood, "Wood")
 
 const RTshaderclass* woodClass() { return shaderClass<Wood>("Wood"); }

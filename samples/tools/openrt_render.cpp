@@ -15,6 +15,7 @@
 #include "samples/common/output_file.h"
 #include "samples/tools/render_statistics.h"
 #include "samples/tools/scene_options.h"
+#include "samples/tools/shader_options.h"
 
 namespace {
 
@@ -24,6 +25,7 @@ using Clock = std::chrono::steady_clock;
 struct RenderOptions : samples::SceneOptions {
     std::string output;
     std::string stats;
+    samples::ShaderOptions shaders;
 } options;
 
 double secondsSince(Clock::time_point start) {
@@ -113,15 +115,15 @@ int run() {
     const samples::View view =
         wantedView ? *wantedView : samples::defaultView(description, bounds, size.aspect());
     const samples::RtScene scene(description, bounds, view, lighting);
+    const samples::FrameShaders shaders = options.shaders.make(view, size.aspect());
     const Picture picture(size, format);
     for (uint32_t frame = 0; frame < options.frames; ++frame) {
-        scene.describeFrame(view, size.aspect());
+        scene.describeFrame(view, size.aspect(), shaders);
         const Clock::time_point start = Clock::now();
         rtStartRendering();
         samples::checkRt();
         showProgress();
-        rtEndRendering();
-        samples::checkRt();
+        samples::endFrame();
         statistics.frameSeconds.push_back(secondsSince(start));
     }
     statistics.scene = options.scene;
@@ -136,6 +138,10 @@ int run() {
     file.write(picture.encode());
 
     for (const std::string& note : description.notes) std::cerr << "note: " << note << '\n';
+    if (statistics.badPixels > 0) {
+        std::cerr << "note: " << statistics.badPixels
+                  << " pixels are black: a shader failed there\n";
+    }
     if (statistics.droppedTriangles + statistics.droppedInstances > 0) {
         std::cerr << "note: " << statistics.droppedTriangles << " triangles and "
                   << statistics.droppedInstances
@@ -150,6 +156,7 @@ int run() {
 int main(int argc, char* argv[]) {
     CLI::App app("Renders a scene file to a picture.", "openrt-render");
     options.addTo(app);
+    options.shaders.addTo(app);
     app.add_option("-o,--output", options.output, "picture to write: .png or .exr")->required();
     app.add_option("--frames", options.frames, "renders this often, for timing")
         ->check(CLI::Range(1, 100000))

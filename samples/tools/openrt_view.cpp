@@ -220,8 +220,7 @@ private:
 
     void finish() {
         if (!inFlight_) return;
-        rtEndRendering();
-        samples::checkRt();
+        samples::endFrame();
         inFlight_ = false;
         seconds_ = std::chrono::duration<double>(Clock::now() - startTime_).count();
         std::swap(shown_, next_);

@@ -99,11 +99,8 @@ std::optional<View> viewFrom(const SceneOptions& options) {
 }
 
 void applySettings(const SceneOptions& options) {
-    if (options.precision == "precise") {
-        throw std::runtime_error("--precision precise is not part of this release; there are "
-                                 "watertight and fast");
-    }
-    if (options.precision != "fast" && options.precision != "watertight") {
+    const bool fast = options.precision == "fast", precise = options.precision == "precise";
+    if (!fast && !precise && options.precision != "watertight") {
         throw std::runtime_error("--precision " + options.precision +
                                  ": there are fast, watertight and precise");
     }
@@ -111,7 +108,7 @@ void applySettings(const SceneOptions& options) {
     if (options.threads > kMaxThreads) {
         throw std::runtime_error("--threads: 0 to " + std::to_string(kMaxThreads));
     }
-    rtHint(RT_PRECISION_HINT, options.precision == "fast" ? RT_FASTEST : RT_DONT_CARE);
+    rtHint(RT_PRECISION_HINT, fast ? RT_FASTEST : precise ? RT_NICEST : RT_DONT_CARE);
     rtThreads(options.threads);
     rtSamples(options.samples);
     checkRt();

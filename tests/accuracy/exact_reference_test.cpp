@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 
+#include "tests/support/exact_scene.h"
 #include "tests/support/procedural_meshes.h"
 #include "tests/support/ray_sets.h"
 #include "tests/support/verdict.h"
@@ -17,7 +20,7 @@ namespace {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kPairs = 4000;
 #else
-constexpr int kPairs = 30000;
+constexpr int kPairs = 300000;
 #endif
 
 constexpr float kInf = INFINITY;
@@ -40,7 +43,9 @@ float coordinate(Random& random, uint32_t kind) {
     }
 }
 
-TEST(ExactReference, AgreesWithTheSecondSolver) {
+// Three solvers written apart: integer determinants, rationals after Moeller and Trumbore, and
+// filtered exact sums.
+TEST(ExactReference, AgreesWithTheOtherSolvers) {
     Random random(1);
     int hits = 0, touches = 0, missed = 0;
     for (int pair = 0; pair < kPairs; ++pair) {
@@ -68,6 +73,9 @@ TEST(ExactReference, AgreesWithTheSecondSolver) {
         const bool first = reference.crosses(0, ray, a);
         const bool second = crossesMollerTrumbore(triangle, ray, b);
         ASSERT_EQ(first, second) << "pair " << pair;
+        const ExactScene scene(reference);
+        Crossing c;
+        ASSERT_EQ(first, scene.crosses(0, ray, c)) << "pair " << pair;
         missed += !first;
         if (!first) continue;
         ++hits;
@@ -77,10 +85,23 @@ TEST(ExactReference, AgreesWithTheSecondSolver) {
         ASSERT_EQ(a.v, b.v);
         ASSERT_EQ(a.zeros, b.zeros);
         ASSERT_EQ(a.facing, b.facing);
+        ASSERT_EQ(a.zeros, c.zeros);
+        ASSERT_EQ(a.facing, c.facing);
+        ASSERT_LE(abs(mpq_class(c.t) - a.t), c.error);
         if (a.t >= 0) {
             const ExactAnswer answer = reference.nearest(ray); // through the filters
             ASSERT_EQ(answer.nearest.size() + answer.touches.size(), 1u) << "pair " << pair;
             ASSERT_EQ(answer.must, a.zeros == 0 && a.t > 0);
+            const Truth truth = scene.nearest(ray);
+            ASSERT_EQ(truth.must, answer.must && a.t < FLT_MAX);
+            ASSERT_EQ(truth.nearest.size() + truth.touches.size(), 1u);
+            const Claim claim = {0, float(a.t.get_d()), float(a.u.get_d()), 0.25f};
+            if (!std::isfinite(claim.t)) continue;
+            const ClaimErrors errors = scene.errors(ray, claim);
+            ASSERT_NEAR(errors.t, ulpError(claim.t, a.t), 2e-3 + 1e-3 * errors.t);
+            const double uv = std::max(mpq_class(abs(mpq_class(claim.u) - a.u)).get_d(),
+                                       mpq_class(abs(mpq_class(claim.v) - a.v)).get_d());
+            ASSERT_NEAR(errors.uv, uv * 0x1p24, 2e-3 + 1e-3 * errors.uv);
         }
     }
     EXPECT_GT(hits, kPairs / 5);
@@ -227,6 +248,68 @@ TEST(Verdict, NamesEachWrongAnswer) {
         EXPECT_EQ(judge(reference, nothing, ray, right), Verdict::False);
     }
     EXPECT_GT(orders, 20);
+}
+
+/// The fast truth gives the reference's answers and verdicts, for right and for wrong claims.
+TEST(ExactScene, AnswersAndJudgesAsTheReference) {
+    const std::pair<const char*, std::vector<Triangle>> meshes[] = {
+        {"sphere", snapped(icosphere(2), 16)},
+        {"soup", triangleSoup(300, 0.5f, 1)},
+        {"room", closedRoom()}};
+    Random random(4);
+    std::size_t all = 0, musts = 0, ties = 0, mays = 0;
+    for (const auto& [name, mesh] : meshes) {
+        SCOPED_TRACE(name);
+        ExactReference reference;
+        reference.add(mesh);
+        const ExactScene scene(reference);
+        std::vector<Ray> rays = randomRays(mesh, 300, 5);
+        for (const double step : {0.0, 0.5, 1.0}) {
+            const auto parallel = axisParallelRays(8, step, 150, 6);
+            rays.insert(rays.end(), parallel.begin(), parallel.end());
+        }
+        for (const Target target : {Target::Vertex, Target::Edge, Target::Interior}) {
+            const auto aimed = raysFromInside(mesh, 1, 150, target, Aim::Exact, 7);
+            rays.insert(rays.end(), aimed.begin(), aimed.end());
+        }
+        all += rays.size();
+        for (const Ray& ray : rays) {
+            const ExactAnswer answer = reference.nearest(ray);
+            const Truth truth = scene.nearest(ray);
+            ASSERT_EQ(truth.must, answer.must);
+            const auto numbers = [](const auto& crossings) {
+                std::vector<uint32_t> result;
+                for (const auto& crossing : crossings) result.push_back(crossing.triangle);
+                std::sort(result.begin(), result.end());
+                return result;
+            };
+            ASSERT_EQ(numbers(truth.nearest), numbers(answer.nearest));
+            ASSERT_EQ(numbers(truth.touches), numbers(answer.touches));
+            musts += truth.must;
+            ties += truth.nearest.size() > 1;
+            mays += !truth.touches.empty();
+            std::vector<Claim> claims = {Claim{}};
+            for (const auto* crossings : {&answer.nearest, &answer.touches}) {
+                for (const ExactCrossing& crossing : *crossings) {
+                    const float t = float(crossing.t.get_d());
+                    claims.push_back({crossing.triangle, t, 0, 0});
+                    claims.push_back({crossing.triangle, t * (1 + 0x1p-14f), 0, 0});
+                    claims.push_back({crossing.triangle, t * (1 - 0x1p-18f), 0, 0});
+                    for (uint32_t other : reference.topology().neighbours(crossing.triangle)) {
+                        claims.push_back({other, t, 0, 0});
+                    }
+                }
+            }
+            claims.push_back({random.below(reference.count()), float(random.between(0, 9)), 0, 0});
+            claims.push_back({0, NAN, 0, 0});
+            for (const Claim& claim : claims) {
+                ASSERT_EQ(scene.judge(truth, ray, claim), judge(reference, answer, ray, claim));
+            }
+        }
+    }
+    EXPECT_GT(musts, all / 4);
+    EXPECT_GT(ties, all / 10);
+    EXPECT_GT(mays, all / 50);
 }
 
 } // namespace

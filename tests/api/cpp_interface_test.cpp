@@ -75,7 +75,7 @@ TEST_F(CppInterface, FaultsOfShadersCostPixelsOnly) {
     RTint bad = 0;
     rtGetIntegerv(RT_STAT_BAD_PIXELS, &bad);
     EXPECT_EQ(bad, 1);
-    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_OPERATION)) << "told once a frame";
 }
 
 TEST_F(CppInterface, OverloadsSetTheirState) {

@@ -29,13 +29,21 @@ int main(void) {
     { /* Bad values, and one missing: each a line on stderr, nothing else. */
         char *argv[] = {"program",    "--rt-threads", "many",       "--rt-samples",   "0",
                         "--rt-isa",   "z80",          "--rt-size",  "wide",           "--rt-precision",
-                        "precise",    "--rt-offscreen", "3",        "--rt-output",    "a%d.png",
+                        "exact",      "--rt-offscreen", "3",        "--rt-output",    "a%d.png",
                         "--rt-threads", NULL};
         int argc = 16;
         rtInit(&argc, argv);
         CHECK(argc == 1 && argv[1] == NULL);
         CHECK(get(RT_SAMPLES) == 1);
         CHECK(get(RT_PRECISION_HINT) == RT_DONT_CARE);
+        CHECK_ERROR(RT_NO_ERROR);
+    }
+    {
+        char *argv[] = {"program", "--rt-precision", "precise", NULL};
+        int argc = 3;
+        rtInit(&argc, argv);
+        CHECK(argc == 1 && argv[1] == NULL);
+        CHECK(get(RT_PRECISION_HINT) == RT_NICEST);
         CHECK_ERROR(RT_NO_ERROR);
     }
     { /* Without any, argv is as before. */

@@ -68,14 +68,27 @@ static RTuint shortStride(void) {
 }
 
 static RTuint genScene(void) { return rtGenScene(); }
-static RTuint bindScene(void) { return rtBindScene(1), 0u; }
-static RTuint deleteScene(void) { return rtDeleteScene(1), 0u; }
+static RTuint bindScene(void) { return rtBindScene(0), 0u; }
+static RTuint bindUnknown(void) { return rtBindScene(1), 0u; }
+static RTuint bindInvalid(void) { return rtBindScene(RT_INVALID), 0u; }
+static RTuint deleteUnknown(void) { return rtDeleteScene(1), 0u; }
+static RTuint deleteZero(void) { return rtDeleteScene(0), 0u; }
 static RTuint queueFrame(void) { return rtQueueFrame(); }
-static RTuint frameDepth(void) { return rtFrameDepth(2), 0u; }
-static RTuint waitFrame(void) { return rtWaitFrame(1); }
-static RTuint frameStatus(void) { return rtFrameStatus(1); }
-static RTuint frameProgress(void) { return (RTuint)rtFrameProgress(1); }
-static RTuint cancelFrame(void) { return rtCancelFrame(1), 0u; }
+static RTuint queueShortStride(void) {
+    RTuint frame;
+    rtFrameBufferStride(8);
+    frame = rtQueueFrame();
+    rtFrameBufferStride(0);
+    return frame;
+}
+static RTuint depthNone(void) { return rtFrameDepth(0), 0u; }
+static RTuint depth(void) { return rtFrameDepth(2), 0u; }
+static RTuint waitUnknown(void) { return rtWaitFrame(4000000000u); }
+static RTuint waitZero(void) { return rtWaitFrame(0); }
+static RTuint waitInvalid(void) { return rtWaitFrame(RT_INVALID); }
+static RTuint statusUnknown(void) { return rtFrameStatus(4000000000u); }
+static RTuint progressUnknown(void) { return (RTuint)rtFrameProgress(4000000000u); }
+static RTuint cancelUnknown(void) { return rtCancelFrame(4000000000u), 0u; }
 static RTuint frameCallback(void) { return rtSetFrameCallback(NULL, NULL), 0u; }
 static RTuint clear(void) { return rtClear(RT_COLOR_BUFFER_BIT), 0u; }
 
@@ -131,16 +144,33 @@ int main(void) {
         MISUSE(flush, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(singular, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(shortStride, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE_ID(genScene, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(bindScene, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(deleteScene, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE_ID(queueFrame, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(frameDepth, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(waitFrame, IN_FLIGHT, RT_INVALID_OPERATION),
-        MISUSE_ID(frameStatus, IN_FLIGHT, RT_INVALID_OPERATION),
-        MISUSE(frameProgress, IN_FLIGHT, RT_INVALID_OPERATION),
-        MISUSE(cancelFrame, IN_FLIGHT, RT_INVALID_OPERATION),
-        MISUSE(frameCallback, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE_ID(genScene, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE_ID(genScene, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(bindUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(bindInvalid, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(bindScene, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(bindScene, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(deleteUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(deleteZero, OUTSIDE, RT_NO_ERROR),
+        MISUSE(deleteZero, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(deleteZero, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE_ID(queueFrame, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE_ID(queueFrame, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE_ID(queueShortStride, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(depthNone, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(depth, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(waitUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(waitUnknown, IN_FLIGHT, RT_INVALID_VALUE),
+        MISUSE(waitUnknown, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(waitZero, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(waitInvalid, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE_ID(statusUnknown, IN_FLIGHT, RT_INVALID_VALUE),
+        MISUSE_ID(statusUnknown, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(progressUnknown, IN_FLIGHT, RT_INVALID_VALUE),
+        MISUSE(progressUnknown, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(cancelUnknown, IN_FLIGHT, RT_INVALID_VALUE),
+        MISUSE(cancelUnknown, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(frameCallback, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(clear, OUTSIDE, RT_INVALID_OPERATION),
     };
     return CHECK_MISUSES(misuses);

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include <math.h>
+
 #include "misuse.h"
 
 static RTuint enableUnknown(void) { return rtEnable(0xABCD), 0u; }
@@ -13,7 +15,6 @@ static RTuint viewport(void) { return rtViewport(0, 0, 4, 4), 0u; }
 static RTuint clearColor(void) { return rtClearColor(1, 1, 1, 1), 0u; }
 static RTuint hintUnknown(void) { return rtHint(0xABCD, RT_NICEST), 0u; }
 static RTuint hintMode(void) { return rtHint(RT_PRECISION_HINT, RT_TRUE), 0u; }
-static RTuint hintPrecise(void) { return rtHint(RT_PRECISION_HINT, RT_NICEST), 0u; }
 static RTuint hintFog(void) { return rtHint(RT_FOG_HINT, RT_NICEST), 0u; }
 static RTuint hint(void) { return rtHint(RT_PRECISION_HINT, RT_FASTEST), 0u; }
 static RTuint stringUnknown(void) { return rtGetString(0xABCD) ? 1u : 0u; }
@@ -56,7 +57,10 @@ static RTuint image(RTint level, RTint internal, RTsizei width, RTint border, RT
     return 0;
 }
 static RTuint imageLevel(void) { return image(-1, RT_RGB, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
-static RTuint imageMipmap(void) { return image(1, RT_RGB, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageLevels(void) { return image(15, RT_RGB, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageLevelLarge(void) {
+    return image(14, RT_RGB, 2, 0, RT_RGB, RT_UNSIGNED_BYTE);
+}
 static RTuint imageInternal(void) { return image(0, 99, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageAlpha(void) { return image(0, RT_ALPHA8, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageNegative(void) { return image(0, RT_RGB, -1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
@@ -67,7 +71,22 @@ static RTuint imageFormat(void) { return image(0, RT_RGB, 1, 0, 0xABCD, RT_UNSIG
 static RTuint imageRed(void) { return image(0, RT_RGB, 1, 0, RT_RED, RT_UNSIGNED_BYTE); }
 static RTuint imageType(void) { return image(0, RT_RGB, 1, 0, RT_RGB, 0xABCD); }
 static RTuint imageInt(void) { return image(0, RT_RGB, 1, 0, RT_RGB, RT_INT); }
-static RTuint imageSrgbFloat(void) { return image(0, RT_SRGB8, 1, 0, RT_RGB, RT_FLOAT); }
+static RTuint part(RTint level, RTint x, RTsizei width, RTenum format, RTenum type,
+                   const void *pixels) {
+    rtTexSubImage2D(RT_TEXTURE_2D, level, x, 0, width, 1, format, type, pixels);
+    return 0;
+}
+static const RTubyte partTexels[64];
+static RTuint partLevel(void) { return part(3, 0, 1, RT_RGB, RT_UNSIGNED_BYTE, partTexels); }
+static RTuint partNoLevel(void) { return part(-1, 0, 1, RT_RGB, RT_UNSIGNED_BYTE, partTexels); }
+static RTuint partLeft(void) { return part(0, -1, 1, RT_RGB, RT_UNSIGNED_BYTE, partTexels); }
+static RTuint partRight(void) {
+    return part(0, 2147483647, 1, RT_RGB, RT_UNSIGNED_BYTE, partTexels);
+}
+static RTuint partNegative(void) { return part(0, 0, -1, RT_RGB, RT_UNSIGNED_BYTE, partTexels); }
+static RTuint partFormat(void) { return part(0, 0, 1, 0xABCD, RT_UNSIGNED_BYTE, partTexels); }
+static RTuint partType(void) { return part(0, 0, 1, RT_RGB, RT_BITMAP, partTexels); }
+static RTuint partNull(void) { return part(0, 0, 1, RT_RGB, RT_UNSIGNED_BYTE, NULL); }
 static RTuint parameterName(void) {
     return rtTexParameteri(RT_TEXTURE_2D, 0xABCD, RT_REPEAT), 0u;
 }
@@ -81,7 +100,41 @@ static RTuint parameterMag(void) {
     return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MAG_FILTER, RT_LINEAR_MIPMAP_LINEAR), 0u;
 }
 static RTuint parameterBorder(void) {
-    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, RT_CLAMP_TO_BORDER), 0u;
+    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, 1), 0u;
+}
+static RTuint parameterWrapR(void) {
+    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_R, RT_REPEAT), 0u;
+}
+static RTuint parameterBase(void) {
+    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_BASE_LEVEL, -1), 0u;
+}
+static RTuint parameterNan(void) {
+    return rtTexParameterf(RT_TEXTURE_2D, RT_TEXTURE_LOD_BIAS, NAN), 0u;
+}
+static RTuint parameterNull(void) {
+    return rtTexParameterfv(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, NULL), 0u;
+}
+static RTuint parameterBorderNan(void) {
+    static const RTfloat color[4] = {0, NAN, 0, 0};
+    return rtTexParameterfv(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, color), 0u;
+}
+static RTuint getParameterNull(void) {
+    return rtGetTexParameteriv(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, NULL), 0u;
+}
+static RTuint getParameterName(void) {
+    RTint value = 7;
+    rtGetTexParameteriv(RT_TEXTURE_2D, 0xABCD, &value);
+    return value == 7 ? 0 : 1;
+}
+static RTuint getLevelName(void) {
+    RTfloat value = 7;
+    rtGetTexLevelParameterfv(RT_TEXTURE_2D, 0, RT_TEXTURE_WRAP_S, &value);
+    return value == 7 ? 0 : 1;
+}
+static RTuint getLevelLevel(void) {
+    RTint value = 7;
+    rtGetTexLevelParameteriv(RT_TEXTURE_2D, 15, RT_TEXTURE_WIDTH, &value);
+    return value == 7 ? 0 : 1;
 }
 static RTuint storeUnknown(void) { return rtPixelStorei(0xABCD, 1), 0u; }
 static RTuint storeAlignment(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 3), 0u; }
@@ -110,7 +163,6 @@ int main(void) {
         MISUSE(clearColor, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(hintUnknown, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(hintMode, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(hintPrecise, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(hintFog, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(hint, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(stringUnknown, OUTSIDE, RT_INVALID_ENUM),
@@ -131,7 +183,8 @@ int main(void) {
         MISUSE(deleteNegative, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(isTexture, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(imageLevel, OUTSIDE, RT_INVALID_VALUE),
-        MISUSE(imageMipmap, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageLevels, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(imageLevelLarge, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageInternal, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageAlpha, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageNegative, OUTSIDE, RT_INVALID_VALUE),
@@ -142,12 +195,28 @@ int main(void) {
         MISUSE(imageRed, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageType, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(imageInt, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(imageSrgbFloat, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(partLevel, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(partNoLevel, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(partLeft, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(partRight, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(partNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(partFormat, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(partType, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(partNull, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(parameterName, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(parameterValue, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(parameterMin, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(parameterMag, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(parameterBorder, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(parameterBorder, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(parameterWrapR, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(parameterBase, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(parameterNan, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(parameterNull, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(parameterBorderNan, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(getParameterNull, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(getParameterName, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(getLevelName, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(getLevelLevel, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(storeUnknown, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(storeAlignment, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(storeNegative, OUTSIDE, RT_INVALID_VALUE),

@@ -175,8 +175,186 @@ static void lookups(void) {
     CHECK_ERROR(RT_NO_ERROR);
 }
 
+/* Colour of a square that shows 2 of the texture a pixel, hence has its coarsest level. */
+static const float *coarsest(RTuint texture) {
+    show(texture, 2.0f * PICTURE_SIZE);
+    return at(0, 0);
+}
+
+static void mipmaps(void) {
+    static const RTubyte red[16 * 4] = {0};
+    static const RTubyte blue[4] = {0, 0, 255, 255};
+    static const RTubyte green[4 * 4] = {0, 255, 0, 255, 0, 255, 0, 255,
+                                         0, 255, 0, 255, 0, 255, 0, 255};
+    RTubyte base[16 * 4];
+    RTint value = -1;
+    RTfloat number = -1;
+    int i;
+    for (i = 0; i < 16; ++i) {
+        base[4 * i] = base[4 * i + 3] = 255;
+        base[4 * i + 1] = base[4 * i + 2] = 0;
+    }
+    startTextures();
+    rtBindTexture(RT_TEXTURE_2D, 1);
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MIN_FILTER, RT_LINEAR_MIPMAP_LINEAR);
+    rtTexImage2D(RT_TEXTURE_2D, 0, RT_RGBA, 4, 4, 0, RT_RGBA, RT_UNSIGNED_BYTE, base);
+    rtTexImage2D(RT_TEXTURE_2D, 1, RT_RGBA, 2, 2, 0, RT_RGBA, RT_UNSIGNED_BYTE, green);
+    CHECK(isColor(coarsest(1), 1, 0, 0)); /* incomplete: the base level */
+    rtTexImage2D(RT_TEXTURE_2D, 2, RT_RGBA, 1, 1, 0, RT_RGBA, RT_UNSIGNED_BYTE, blue);
+    CHECK(isColor(coarsest(1), 0, 0, 1));
+    show(1, PICTURE_SIZE / 2.0f); /* two texels of level 0 a pixel: level 1 */
+    CHECK(isColor(at(0, 0), 0, 1, 0));
+    show(1, 1);
+    CHECK(isColor(at(0, 0), 1, 0, 0));
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MAX_LEVEL, 1);
+    CHECK(isColor(coarsest(1), 0, 1, 0));
+    rtTexParameterf(RT_TEXTURE_2D, RT_TEXTURE_MAX_LOD, 0.0f);
+    CHECK(isColor(coarsest(1), 1, 0, 0));
+    rtTexParameterf(RT_TEXTURE_2D, RT_TEXTURE_MAX_LOD, 1000.0f);
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MIN_FILTER, RT_NEAREST);
+    CHECK(isColor(coarsest(1), 1, 0, 0));
+    CHECK_ERROR(RT_NO_ERROR);
+
+    /* Made by the library; in linear light, the mean of black and white is code 188. */
+    for (i = 0; i < 16 * 4; ++i) base[i] = (RTubyte)(i / 4 % 2 * 255);
+    rtBindTexture(RT_TEXTURE_2D, 2);
+    rtTexParameteri(RT_TEXTURE_2D, RT_GENERATE_MIPMAP, RT_TRUE);
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MIN_FILTER, RT_LINEAR_MIPMAP_LINEAR);
+    rtTexImage2D(RT_TEXTURE_2D, 0, RT_SRGB8_ALPHA8, 4, 4, 0, RT_RGBA, RT_UNSIGNED_BYTE, base);
+    CHECK(fabsf(coarsest(2)[0] - 0.5028865f) < 1e-4f);
+    rtGetTexLevelParameteriv(RT_TEXTURE_2D, 1, RT_TEXTURE_WIDTH, &value);
+    CHECK(value == 2);
+    rtGetTexLevelParameteriv(RT_TEXTURE_2D, 2, RT_TEXTURE_INTERNAL_FORMAT, &value);
+    CHECK(value == RT_SRGB8_ALPHA8);
+    rtGetTexLevelParameterfv(RT_TEXTURE_2D, 2, RT_TEXTURE_ALPHA_SIZE, &number);
+    CHECK(number == 8);
+    rtGetTexLevelParameteriv(RT_TEXTURE_2D, 3, RT_TEXTURE_WIDTH, &value);
+    CHECK(value == 0);
+    /* A part of the base level: everything after it follows. */
+    rtTexSubImage2D(RT_TEXTURE_2D, 0, 0, 0, 4, 4, RT_RGBA, RT_UNSIGNED_BYTE, red);
+    CHECK(isColor(coarsest(2), 0, 0, 0));
+    rtTexSubImage2D(RT_TEXTURE_2D, 2, 0, 0, 1, 1, RT_RGBA, RT_UNSIGNED_BYTE, blue);
+    CHECK(isColor(coarsest(2), 0, 0, 1));
+    CHECK_ERROR(RT_NO_ERROR);
+}
+
+static void parts(void) {
+    static const RTubyte black[2 * 2 * 3];
+    static const float white[3] = {1, 1, 1};
+    startTextures();
+    rtPixelStorei(RT_UNPACK_ALIGNMENT, 1);
+    rtBindTexture(RT_TEXTURE_2D, 1);
+    nearest();
+    rtTexImage2D(RT_TEXTURE_2D, 0, RT_RGB, 2, 2, 0, RT_RGB, RT_UNSIGNED_BYTE, black);
+    rtTexSubImage2D(RT_TEXTURE_2D, 0, 1, 0, 1, 1, RT_RGB, RT_FLOAT, white);
+    rtTexSubImage2D(RT_TEXTURE_2D, 0, 2, 2, 0, 0, RT_RGB, RT_FLOAT, white); /* nothing */
+    show(1, 1);
+    CHECK(isColor(at(-0.5f, -0.5f), 0, 0, 0) && isColor(at(0.5f, -0.5f), 1, 1, 1));
+    CHECK(isColor(at(-0.5f, 0.5f), 0, 0, 0) && isColor(at(0.5f, 0.5f), 0, 0, 0));
+    /* A frame in flight keeps the image it was started with. */
+    rtBindShader(shader);
+    rtTexCoord2f(0.75f, 0.25f);
+    square(-1, -1, 1, 1, 0);
+    rtStartRendering();
+    rtTexSubImage2D(RT_TEXTURE_2D, 0, 0, 0, 2, 2, RT_RGB, RT_UNSIGNED_BYTE, black);
+    rtEndRendering();
+    CHECK(isColor(at(0, 0), 1, 1, 1));
+    CHECK_ERROR(RT_NO_ERROR);
+}
+
+static void halves(void) {
+    static const RTushort texels[3] = {0x3C00, 0x3800, 0x7BFF}; /* 1, 1/2, 65504 */
+    startTextures();
+    rtBindTexture(RT_TEXTURE_2D, 1);
+    nearest();
+    rtTexImage2D(RT_TEXTURE_2D, 0, RT_RGB, 1, 1, 0, RT_RGB, RT_HALF_FLOAT, texels);
+    show(1, 1);
+    CHECK(at(0, 0)[0] == 1 && at(0, 0)[1] == 0.5f && at(0, 0)[2] == 65504.0f);
+    CHECK_ERROR(RT_NO_ERROR);
+}
+
+static void borders(void) {
+    static const RTubyte white[4] = {255, 255, 255, 255};
+    static const RTfloat color[4] = {1, 0.5f, 0, 0.25f};
+    static const RTint codes[4] = {2147483647, 0, -2147483647 - 1, 0};
+    RTfloat got[4] = {0, 0, 0, 0};
+    RTint wrap = 0;
+    startTextures();
+    rtBindTexture(RT_TEXTURE_2D, 1);
+    rtTexImage2D(RT_TEXTURE_2D, 0, RT_RGBA, 1, 1, 0, RT_RGBA, RT_UNSIGNED_BYTE, white);
+    rtTexParameterfv(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, color);
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, RT_CLAMP_TO_BORDER);
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_T, RT_CLAMP_TO_EDGE);
+    show(1, 4);
+    CHECK(isColor(at(0.9f, 0.9f), 1, 0.5f, 0) && at(-0.9f, 0.9f)[1] > 0.6f);
+    rtTexParameterf(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, RT_CLAMP); /* half border, half edge */
+    show(1, 4);
+    CHECK(isColor(at(0.9f, 0.9f), 1, 0.75f, 0.5f));
+    rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, RT_CLAMP_TO_EDGE);
+    show(1, 4);
+    CHECK(isColor(at(0.9f, 0.9f), 1, 1, 1));
+    rtGetTexParameterfv(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, got);
+    CHECK(got[0] == 1 && got[1] == 0.5f && got[2] == 0 && got[3] == 0.25f);
+    rtGetTexParameteriv(RT_TEXTURE_2D, RT_TEXTURE_WRAP_S, &wrap);
+    CHECK(wrap == RT_CLAMP_TO_EDGE);
+    rtTexParameteriv(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, codes);
+    rtGetTexParameterfv(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, got);
+    CHECK(got[0] == 1 && fabsf(got[1]) < 1e-9f && got[2] == -1);
+    CHECK_ERROR(RT_NO_ERROR);
+}
+
+/* Every value that can be set is the one that is got. */
+static void parameters(void) {
+    static const struct {
+        RTenum name;
+        RTint start, values[6];
+        int count;
+    } rows[] = {
+        {RT_TEXTURE_WRAP_S, RT_REPEAT,
+         {RT_CLAMP, RT_CLAMP_TO_EDGE, RT_CLAMP_TO_BORDER, RT_MIRRORED_REPEAT, RT_REPEAT}, 5},
+        {RT_TEXTURE_WRAP_T, RT_REPEAT,
+         {RT_CLAMP, RT_CLAMP_TO_EDGE, RT_CLAMP_TO_BORDER, RT_MIRRORED_REPEAT, RT_REPEAT}, 5},
+        {RT_TEXTURE_MAG_FILTER, RT_LINEAR, {RT_NEAREST, RT_LINEAR}, 2},
+        {RT_TEXTURE_MIN_FILTER, RT_NEAREST_MIPMAP_LINEAR,
+         {RT_NEAREST, RT_LINEAR, RT_NEAREST_MIPMAP_NEAREST, RT_LINEAR_MIPMAP_NEAREST,
+          RT_NEAREST_MIPMAP_LINEAR, RT_LINEAR_MIPMAP_LINEAR}, 6},
+        {RT_TEXTURE_BASE_LEVEL, 0, {0, 3, 1000000}, 3},
+        {RT_TEXTURE_MAX_LEVEL, 1000, {0, 3, 1000000}, 3},
+        {RT_TEXTURE_MIN_LOD, -1000, {-3, 5}, 2},
+        {RT_TEXTURE_MAX_LOD, 1000, {-3, 5}, 2},
+        {RT_TEXTURE_LOD_BIAS, 0, {-3, 5}, 2},
+        {RT_GENERATE_MIPMAP, RT_FALSE, {RT_TRUE, RT_FALSE}, 2},
+    };
+    int row, i;
+    startTextures();
+    rtBindTexture(RT_TEXTURE_2D, 1);
+    for (row = 0; row < (int)(sizeof rows / sizeof *rows); ++row) {
+        RTint value = -77;
+        RTfloat number = -77;
+        rtGetTexParameteriv(RT_TEXTURE_2D, rows[row].name, &value);
+        CHECK(value == rows[row].start);
+        for (i = 0; i < rows[row].count; ++i) {
+            const RTint wanted = rows[row].values[i];
+            const RTfloat wantedNumber = (RTfloat)wanted;
+            if (i % 2)
+                rtTexParameterfv(RT_TEXTURE_2D, rows[row].name, &wantedNumber);
+            else
+                rtTexParameteriv(RT_TEXTURE_2D, rows[row].name, &wanted);
+            rtGetTexParameteriv(RT_TEXTURE_2D, rows[row].name, &value);
+            rtGetTexParameterfv(RT_TEXTURE_2D, rows[row].name, &number);
+            CHECK(value == wanted && number == wantedNumber);
+        }
+    }
+    CHECK_ERROR(RT_NO_ERROR);
+}
+
 int main(void) {
     names();
+    mipmaps();
+    parts();
+    halves();
+    borders();
+    parameters();
     formats();
     unpacking();
     lookups();

@@ -12,6 +12,8 @@
 #include "libsmart/kernel/kernels.h"
 #include "tests/bench/openrt_engine.h"
 #include "tests/bench/report.h"
+#include "tests/bench/reshade.h"
+#include "tests/bench/shaded_frames.h"
 #ifdef OPENRT_BENCH_EMBREE
 #include "tests/bench/embree_engine.h"
 #endif
@@ -25,7 +27,7 @@ struct Options {
     std::string scene, cameras, name, isa, precision = "watertight", json;
     std::vector<double> camera, light;
     std::vector<std::string> peers;
-    uint32_t size = 1024;
+    uint32_t size = 1024, instances = 1000;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency()), repeat = 5;
     bool plantError = false;
 
@@ -91,7 +93,9 @@ void runBuild(const Options& options, const std::vector<Triangle>& triangles, Re
 
 void runRays(const Options& options, const std::vector<Triangle>& triangles, Report& report) {
     const View view = viewOf(options);
-    const auto precision = options.precision == "fast" ? Precision::Fast : Precision::Watertight;
+    const auto precision = options.precision == "fast"      ? Precision::Fast
+                           : options.precision == "precise" ? Precision::Precise
+                                                            : Precision::Watertight;
     showProgress("building");
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, precision, options.threads, built);
@@ -115,6 +119,18 @@ void runRays(const Options& options, const std::vector<Triangle>& triangles, Rep
                 measure(triangles, rays, kind, engines, threads, options.repeat, showProgress));
         }
     }
+}
+
+int runFrames(const Options& options) {
+    if (!options.isa.empty() && !selectKernels(options.isa.c_str())) {
+        throw std::runtime_error("--isa " + options.isa + ": not in this library or machine");
+    }
+    const ShadingReport report =
+        measureFrames(readTriangles(options.scene), viewOf(options), options.size,
+                      options.threads, options.repeat, showProgress);
+    showProgress("");
+    std::cout << report;
+    return report.allSame() ? 0 : kExitRefused;
 }
 
 int run(const Options& options, bool rays) {
@@ -142,6 +158,12 @@ int run(const Options& options, bool rays) {
     return report.anyRefused() ? kExitRefused : 0;
 }
 
+int runReshade(const Options& options) {
+    std::cout << measureReshading(readTriangles(options.scene), options.instances,
+                                  options.threads);
+    return 0;
+}
+
 } // namespace
 } // namespace smart::bench
 
@@ -151,12 +173,28 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     CLI::App* const rays = app.add_subcommand("rays", "primary and point-light shadow rays");
     CLI::App* const build = app.add_subcommand("build", "build seconds and memory");
-    for (CLI::App* command : {rays, build}) {
+    CLI::App* const frame =
+        app.add_subcommand("frame", "frames with a point light: packets, points, fixed shaders");
+    for (CLI::App* command : {rays, build, frame}) {
         command->add_option("--scene", options.scene, "a .tri file, or generated:N")->required();
         command->add_option("--threads", options.threads, "measured beside one thread")
             ->check(CLI::Range(1, 1024));
         command->add_option("--repeat", options.repeat, "measurements of each kind")
             ->check(CLI::Range(1, 1000));
+    }
+    for (CLI::App* command : {rays, frame}) {
+        command->add_option("--camera", options.camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
+            ->delimiter(',')
+            ->expected(10);
+        command->add_option("--light", options.light, "x,y,z")->delimiter(',')->expected(3);
+        command->add_option("--cameras", options.cameras,
+                            "file of views: name and 13 numbers a line");
+        command->add_option("--name", options.name, "which line of --cameras");
+        command->add_option("--size", options.size, "width and height in pixels")
+            ->check(CLI::Range(4, 16384));
+        command->add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
+    }
+    for (CLI::App* command : {rays, build}) {
         command->add_option("--json", options.json, "also write the figures to this file");
         command->add_option("--peers", options.peers, "embree, embree-robust")
             ->delimiter(',')
@@ -168,21 +206,19 @@ int main(int argc, char** argv) {
             });
 #endif
     }
-    rays->add_option("--camera", options.camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
-        ->delimiter(',')
-        ->expected(10);
-    rays->add_option("--light", options.light, "x,y,z")->delimiter(',')->expected(3);
-    rays->add_option("--cameras", options.cameras, "file of views: name and 13 numbers a line");
-    rays->add_option("--name", options.name, "which line of --cameras");
-    rays->add_option("--size", options.size, "width and height in pixels")
-        ->check(CLI::Range(4, 16384));
-    rays->add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
     rays->add_option("--precision", options.precision)
-        ->check(CLI::IsMember({"watertight", "fast"}));
+        ->check(CLI::IsMember({"watertight", "fast", "precise"}));
     rays->add_flag("--plant-error", options.plantError,
                    "name wrong triangles now and then, to prove the comparison");
+    CLI::App* const reshade =
+        app.add_subcommand("reshade", "memory of instances with shaders of their own");
+    reshade->add_option("--scene", options.scene, "a .tri file, or generated:N")->required();
+    reshade->add_option("--instances", options.instances)->check(CLI::Range(1, 10'000'000));
+    reshade->add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
     CLI11_PARSE(app, argc, argv);
     try {
+        if (reshade->parsed()) return smart::bench::runReshade(options);
+        if (frame->parsed()) return smart::bench::runFrames(options);
         return smart::bench::run(options, rays->parsed());
     } catch (const std::exception& error) {
         std::cerr << "openrt-bench: " << error.what() << '\n';

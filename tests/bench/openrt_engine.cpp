@@ -56,39 +56,6 @@ private:
     const bool plantError_;
 };
 
-class TileEngine final : public OpenrtEngine {
-public:
-    using OpenrtEngine::OpenrtEngine;
-    void closest(const RaySet& rays, std::size_t first, std::size_t count,
-                 Found* found) const override {
-        HitPacket hits[4];
-        std::size_t p = first;
-        for (; p < first + count / 4 * 4; p += 4) {
-            kernels_.intersectTile[mode()](scene_->view(), &rays.packets[p], hits);
-            for (std::size_t i = 0; i < 4; ++i) {
-                std::copy(hits[i].t, hits[i].t + kPacketSize, found[p + i].t);
-                std::copy(hits[i].triangle, hits[i].triangle + kPacketSize, found[p + i].triangle);
-            }
-        }
-        for (; p < first + count; ++p) {
-            kernels_.intersect[mode()](scene_->view(), rays.packets[p], hits[0]);
-            std::copy(hits[0].t, hits[0].t + kPacketSize, found[p].t);
-            std::copy(hits[0].triangle, hits[0].triangle + kPacketSize, found[p].triangle);
-        }
-    }
-    void any(const RaySet& rays, std::size_t first, std::size_t count,
-             uint32_t* blocked) const override {
-        std::size_t p = first;
-        for (; p < first + count / 4 * 4; p += 4)
-            kernels_.occludedTile[mode()](scene_->view(), &rays.packets[p], blocked + p);
-        for (; p < first + count; ++p)
-            kernels_.occluded[mode()](scene_->view(), rays.packets[p], blocked[p]);
-    }
-
-private:
-    const char* form() const override { return "tile"; }
-};
-
 class SingleEngine final : public OpenrtEngine {
 public:
     using OpenrtEngine::OpenrtEngine;
@@ -201,7 +168,6 @@ ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision
 std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision, bool plantError) {
     std::vector<EnginePtr> engines;
     engines.push_back(std::make_unique<PacketEngine>(scene, precision, plantError));
-    engines.push_back(std::make_unique<TileEngine>(scene, precision));
     engines.push_back(std::make_unique<SingleEngine>(scene, precision));
     engines.push_back(std::make_unique<StreamEngine>(scene, precision));
     return engines;

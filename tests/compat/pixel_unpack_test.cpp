@@ -76,6 +76,7 @@ void checkAll(TexelType type, T one) {
 TEST(PixelUnpack, EveryOrderTypeAndLayout) {
     checkAll<uint8_t>(TexelType::Byte, 255);
     checkAll<uint16_t>(TexelType::Short, 65535);
+    checkAll<uint16_t>(TexelType::Half, 0x3C00);
     checkAll<float>(TexelType::Float, 1.0f);
 }
 

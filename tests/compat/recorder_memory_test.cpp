@@ -91,15 +91,18 @@ struct Program {
         square(13);
         step([&r] { r.textures().bind(5); });
         step([&r] {
-            r.textures().setImage(std::make_shared<const Texture>(
-                1, 1, 1, TexelType::Byte, std::vector<std::byte>(1), TextureOptions()));
+            r.textures().setImage(
+                0,
+                std::make_shared<const TextureImage>(1, 1, 1, TexelType::Byte, false,
+                                                     std::vector<std::byte>(1)),
+                1);
         });
         step([&r] { r.replaceObject(2); });
         step([&r] { r.endObject(); });
         step([&r] { r.instantiate(2); });
         square(15);
         step([this, &r] { query = r.compileScene(); });
-        step([this, &r] { frame = r.makeFrame(1); });
+        step([this, &r] { frame = r.makeFrame(); });
         return all;
     }
 };

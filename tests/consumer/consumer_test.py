@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Installs the built tree elsewhere and uses it as three outside projects would.
+"""Installs the built tree elsewhere and uses it as outside projects would.
 
 usage: consumer_test.py BUILD_DIR GENERATOR C_COMPILER CXX_COMPILER FLAGS
 """
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).parent
+STRICT = "-Wall -Wextra -Wpedantic -Wshadow -Werror"
 
 
 def run(*command, **environment):
@@ -19,37 +21,110 @@ def run(*command, **environment):
                           stdout=subprocess.PIPE, text=True).stdout
 
 
+class Installation:
+    """The installed package, and the compilers of its user."""
+
+    def __init__(self, prefix, cc, cxx, flags):
+        self.prefix, self.cc, self.cxx, self.flags = prefix, cc, cxx, flags
+        self.lib = next(prefix.rglob("openrt.pc")).parent.parent
+        self.environment = {"PKG_CONFIG_PATH": str(self.lib / "pkgconfig"),
+                            "LD_LIBRARY_PATH": str(self.lib)}
+
+    def pkg_config(self, *arguments):
+        return run("pkg-config", *arguments, **self.environment).strip()
+
+    def program(self, source, output):
+        """A C program by pkg-config and the plain compiler."""
+        run("sh", "-c", f'"{self.cc}" -std=c99 {STRICT} {self.flags} '
+            f'{self.pkg_config("--cflags", "openrt")} "{HERE / source}" -o "{output}" '
+            f'{self.pkg_config("--libs", "openrt")}')
+        return output
+
+    def run(self, program, *arguments, folder=None, **environment):
+        print("+", program, *arguments, flush=True)
+        return subprocess.run([program, *arguments], check=False, cwd=folder,
+                              env={**os.environ, **self.environment, **environment},
+                              stdout=subprocess.PIPE, text=True)
+
+    def moved(self, to):
+        shutil.move(self.prefix, to)
+        return Installation(to, self.cc, self.cxx, self.flags)
+
+
+def expect(condition, what):
+    if not condition:
+        sys.exit(f"failed: {what}")
+
+
+def cmake_projects(work, installation, generator):
+    """The shared library, and the static core."""
+    source = work / "outside"
+    source.mkdir()
+    shutil.copy(HERE / "outside.cmake", source / "CMakeLists.txt")
+    for name in ("consumer.c", "core_consumer.cpp"):
+        shutil.copy(HERE / name, source)
+    run("cmake", "-G", generator, "-S", str(source), "-B", str(source / "build"),
+        f"-DCMAKE_PREFIX_PATH={installation.prefix}", f"-DCMAKE_C_COMPILER={installation.cc}",
+        f"-DCMAKE_CXX_COMPILER={installation.cxx}", f"-DCMAKE_C_FLAGS={installation.flags}",
+        f"-DCMAKE_CXX_FLAGS={installation.flags}")
+    run("cmake", "--build", str(source / "build"))
+    for name in ("consumer", "core_consumer"):
+        print(run(str(source / "build" / name)), end="")
+
+
+def build_shader_libraries(folder, installation):
+    """One command each; what it makes needs nothing of OpenRT."""
+    folder.mkdir()
+    run("sh", "-c", f'"{installation.cxx}" {STRICT} {installation.flags} -shared '
+        f'{installation.pkg_config("--cflags", "openrt-shader")} '
+        f'"{HERE / "outside_shader.cpp"}" -o "{folder / "flat.so"}"')
+    run("sh", "-c", f'"{installation.cc}" -std=c99 {STRICT} {installation.flags} -shared -fPIC '
+        f'{installation.pkg_config("--cflags", "openrt")} '
+        f'"{HERE / "outside_shader.c"}" -o "{folder / "orchid.so"}" -lm')
+    for library in folder.glob("*.so"):
+        expect("OpenRT" not in run("readelf", "-dW", str(library)), f"{library} links nothing")
+        symbols = run("nm", "-D", str(library))
+        expect(not re.search(r" U rt", symbols), f"{library} asks for no symbol of the library")
+        expect(re.search(r" [VD] rtsPlugin$", symbols, re.MULTILINE), f"{library} is a plug-in")
+        expect("_ZN6openrt" not in symbols, f"{library} shows nothing of openrt")
+        expect(not re.search(r" u \S", symbols), f"{library} can be unloaded")
+
+
+def shader_libraries(work, installation):
+    """Built against the installed package, used after that was moved."""
+    shaders = work / "shaders"
+    build_shader_libraries(shaders, installation)
+    program = str(installation.program("shader_consumer.c", work / "shader_consumer"))
+    moved = installation.moved(work / "moved prefix")
+
+    def shown(*arguments, **environment):
+        result = moved.run(program, *arguments, **environment)
+        expect(result.returncode == 0, result.stdout)
+        return result.stdout.strip()
+
+    expect(shown("Flat", str(shaders / "flat.so")) == "0.25 0.5 1", "the C++ library's colour")
+    expect(shown("Orchid", str(shaders / "orchid")) == "1 0 0.5", "the C library's colour")
+    path = {"OPENRT_SHADER_PATH": f"/nowhere:{shaders}"}
+    expect(shown("Flat", "flat", **path) == "0.25 0.5 1", "the folders of the environment")
+    expect(shown("Flat", "./flat", folder=shaders) == "0.25 0.5 1", "a path to the folder in use")
+    result = moved.run(program, "Flat", "flat.so", folder=shaders)
+    expect(result.returncode != 0 and str(moved.lib / "openrt/shaders") in result.stdout,
+           f"the folder in use is not searched, the moved one is: {result.stdout}")
+    if (moved.lib / "openrt/shaders/wood.so").exists():
+        expect(shown("Wood", "wood") not in ("", "0 0 0"), "an installed library by its name")
+
+
 def main(build, generator, cc, cxx, flags):
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
-        installed = work / "a prefix"
-        run("cmake", "--install", build, "--prefix", str(installed))
-
-        # pkg-config and a plain C compiler; the folder that the library went to is asked for
-        lib = next(installed.rglob("openrt.pc")).parent.parent
-        environment = {"PKG_CONFIG_PATH": str(lib / "pkgconfig"),
-                       "LD_LIBRARY_PATH": str(lib)}
-        program = str(work / "by-pkg-config")
-        cflags = run("pkg-config", "--cflags", "openrt", **environment)
-        libs = run("pkg-config", "--libs", "openrt", **environment)
-        command = (f'"{cc}" -std=c99 -Wall -Wextra -Wpedantic -Werror {flags} {cflags.strip()} '
-                   f'"{HERE / "consumer.c"}" -o "{program}" {libs.strip()}')
-        run("sh", "-c", command)
-        print(run(program, **environment), end="")
-
-        # CMake: the shared library, and the static core
-        source = work / "outside"
-        source.mkdir()
-        shutil.copy(HERE / "outside.cmake", source / "CMakeLists.txt")
-        for name in ("consumer.c", "core_consumer.cpp"):
-            shutil.copy(HERE / name, source)
-        run("cmake", "-G", generator, "-S", str(source), "-B", str(source / "build"),
-            f"-DCMAKE_PREFIX_PATH={installed}", f"-DCMAKE_C_COMPILER={cc}",
-            f"-DCMAKE_CXX_COMPILER={cxx}", f"-DCMAKE_C_FLAGS={flags}",
-            f"-DCMAKE_CXX_FLAGS={flags}")
-        run("cmake", "--build", str(source / "build"))
-        for name in ("consumer", "core_consumer"):
-            print(run(str(source / "build" / name)), end="")
+        prefix = work / "a prefix"
+        run("cmake", "--install", build, "--prefix", str(prefix))
+        installation = Installation(prefix, cc, cxx, flags)
+        program = installation.program("consumer.c", work / "by-pkg-config")
+        result = installation.run(str(program))
+        expect(result.returncode == 0, result.stdout)
+        cmake_projects(work, installation, generator)
+        shader_libraries(work, installation)
 
 
 if __name__ == "__main__":

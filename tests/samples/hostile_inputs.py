@@ -318,7 +318,7 @@ class HostileInputs(unittest.TestCase):
                           ["--exposure", "1e9"]):
             with self.subTest(arguments=arguments):
                 self.runner.refusal(scene, *arguments)
-        self.assertIn("precise", self.runner.refusal(scene, "--precision", "precise"))
+        self.assertIn("precise", self.runner.refusal(scene, "--precision", "exact"))
         for output in ("out.jpg", "out", "missing/out.png", "."):
             with self.subTest(output=output):
                 self.runner.refusal(scene, output=output)

@@ -76,21 +76,15 @@ uint32_t ExactReference::append(std::span<const Triangle> triangles,
     const bool placed = std::all_of(toWorld.begin(), toWorld.end(), [](const Matrix34& matrix) {
         return std::all_of(matrix.begin(), matrix.end(), [](double x) { return std::isfinite(x); });
     });
-    std::map<std::array<float, 3>, uint32_t> numbers;
+    topology_.startMesh();
     for (const Triangle& triangle : triangles) {
         const uint32_t index = count();
         const float* const source[3] = {triangle.v0, triangle.v1, triangle.v2};
         std::array<double, 9> corners{};
-        std::array<uint32_t, 3> vertices{};
         const bool valid =
             placed && finite(triangle.v0, 3) && finite(triangle.v1, 3) && finite(triangle.v2, 3);
         for (int c = 0; c < 3 && valid; ++c) {
-            const float* p = source[c];
-            const std::array<float, 3> key = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};
-            const auto [place, isNew] = numbers.try_emplace(key, uint32_t(around_.size()));
-            if (isNew) around_.emplace_back();
-            vertices[c] = place->second;
-            for (int k = 0; k < 3; ++k) corners[3 * c + k] = p[k];
+            for (int k = 0; k < 3; ++k) corners[3 * c + k] = source[c][k];
         }
         if (valid && !toWorld.empty()) {
             std::array<mpq_class, 9>& exact = exact_[index];
@@ -128,13 +122,10 @@ uint32_t ExactReference::append(std::span<const Triangle> triangles,
             radius = std::max(radius, std::sqrt(square) * (1 + 1e-12));
         }
         corners_.push_back(corners);
-        vertices_.push_back(vertices);
         for (int k = 0; k < 3; ++k) centre_[k].push_back(centre[k]);
         degenerate_.push_back(uint8_t(!valid || isDegenerate(index)));
         radius_.push_back(degenerate_.back() ? -std::numeric_limits<double>::infinity() : radius);
-        if (!degenerate_.back()) {
-            for (uint32_t vertex : vertices) around_[vertex].push_back(index);
-        }
+        topology_.add(triangle, !degenerate_.back());
     }
     return first;
 }
@@ -145,14 +136,13 @@ double ExactReference::extent() const {
     return side;
 }
 
-std::vector<uint32_t> ExactReference::neighbours(uint32_t triangle) const {
-    std::vector<uint32_t> result;
-    for (uint32_t vertex : vertices_[triangle]) {
-        result.insert(result.end(), around_[vertex].begin(), around_[vertex].end());
+bool ExactReference::exactInDouble(uint32_t triangle) const {
+    const auto exact = exact_.find(triangle);
+    if (exact == exact_.end()) return true;
+    for (std::size_t k = 0; k < 9; ++k) {
+        if (exact->second[k] != mpq_class(corners_[triangle][k])) return false;
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
+    return true;
 }
 
 void ExactReference::exactCorners(uint32_t triangle, int shift, mpz_class corners[9]) const {
@@ -248,41 +238,6 @@ bool ExactReference::certainlyMissed(uint32_t triangle, const Ray& ray) const {
     return positive && negative;
 }
 
-// The point that a crossing touches lies inside the surface when every triangle at that edge or
-// vertex is crossed here, faces the same way, and each of their edges there is shared in balance.
-bool ExactReference::surrounds(const ExactCrossing& crossing,
-                               std::span<const ExactCrossing> layer) const {
-    const std::array<uint32_t, 3>& own = vertices_[crossing.triangle];
-    const bool atVertex = (crossing.zeros & (crossing.zeros - 1)) != 0;
-    uint32_t centre = 0, other = 0;
-    for (uint32_t k = 0; k < 3; ++k) {
-        if (atVertex && !(crossing.zeros & (1u << k))) centre = own[k];
-        if (!atVertex && (crossing.zeros & (1u << k))) {
-            centre = own[(k + 1) % 3];
-            other = own[(k + 2) % 3];
-        }
-    }
-    std::map<uint32_t, int> balance; // of edges centre-neighbour: leaving minus arriving
-    for (uint32_t triangle : around_[centre]) {
-        const std::array<uint32_t, 3>& v = vertices_[triangle];
-        if (!atVertex && std::find(v.begin(), v.end(), other) == v.end()) continue;
-        const auto same = std::find_if(layer.begin(), layer.end(), [&](const ExactCrossing& c) {
-            return c.triangle == triangle && c.facing == crossing.facing;
-        });
-        if (same == layer.end()) return false;
-        const auto k = std::size_t(std::find(v.begin(), v.end(), centre) - v.begin());
-        ++balance[v[(k + 1) % 3]];
-        --balance[v[(k + 2) % 3]];
-    }
-    if (!atVertex) return balance[other] == 0;
-    return std::all_of(balance.begin(), balance.end(), [](auto& b) { return b.second == 0; });
-}
-
-bool ExactReference::isMust(std::span<const ExactCrossing> layer) const {
-    return std::any_of(layer.begin(), layer.end(),
-                       [&](const ExactCrossing& c) { return c.zeros == 0 || surrounds(c, layer); });
-}
-
 ExactAnswer ExactReference::nearest(const Ray& ray) const {
     ExactAnswer answer;
     if (!finite(ray.org, 3) || !finite(ray.dir, 3)) return answer;
@@ -318,7 +273,8 @@ ExactAnswer ExactReference::nearest(const Ray& ray) const {
         const mpq_class& t = crossings[first].t;
         const bool atLimit =
             t == mpq_class(tNear) || (std::isfinite(ray.tFar) && t == mpq_class(ray.tFar));
-        answer.must = !atLimit && isMust(layer);
+        answer.must =
+            !atLimit && topology_.isMust(std::vector<Touch>(layer.begin(), layer.end()));
         auto& kind = answer.must ? answer.nearest : answer.touches;
         kind.insert(kind.end(), layer.begin(), layer.end());
     }

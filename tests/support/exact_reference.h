@@ -12,18 +12,15 @@
 #include <vector>
 
 #include "libsmart/kernel/packet.h"
-#include "libsmart/kernel/view.h"
+#include "tests/support/mesh_topology.h"
 
 namespace smart::test {
 
 /// Affine map, three rows of four, the fourth column the translation.
 using Matrix34 = std::array<double, 12>;
 
-/// One place where the line of a ray meets a closed triangle.
-struct ExactCrossing {
-    uint32_t triangle = 0;
-    int facing = 0;     ///< sign of direction . normal, never 0
-    uint32_t zeros = 0; ///< bit k: the weight of vertex k is 0; 0 = interior
+/// One place where the line of a ray meets a closed triangle, and where exactly.
+struct ExactCrossing : Touch {
     mpq_class t, u, v;
 };
 
@@ -50,8 +47,9 @@ public:
     /// Not finite, or of no area in exact arithmetic: nothing can hit it.
     bool degenerate(uint32_t triangle) const { return degenerate_[triangle] != 0; }
 
-    /// Triangles that share a corner with this one, itself included.
-    std::vector<uint32_t> neighbours(uint32_t triangle) const;
+    const MeshTopology& topology() const { return topology_; }
+    /// Whether corners() are the corners themselves.
+    bool exactInDouble(uint32_t triangle) const;
 
     /// Where the ray's line, at any t, meets one triangle; false if nowhere or along its plane.
     bool crosses(uint32_t triangle, const Ray& ray, ExactCrossing& crossing) const;
@@ -71,14 +69,11 @@ private:
     bool isDegenerate(uint32_t triangle) const;
     void determinants(uint32_t triangle, const Ray& ray, Determinants& result) const;
     bool certainlyMissed(uint32_t triangle, const Ray& ray) const;
-    bool isMust(std::span<const ExactCrossing> layer) const;
-    bool surrounds(const ExactCrossing& crossing, std::span<const ExactCrossing> layer) const;
 
     std::vector<std::array<double, 9>> corners_;
     std::map<uint32_t, std::array<mpq_class, 9>> exact_; ///< where corners_ are rounded
     std::vector<uint8_t> degenerate_;
-    std::vector<std::array<uint32_t, 3>> vertices_; ///< numbers of equal corners are equal
-    std::vector<std::vector<uint32_t>> around_;     ///< triangles at each vertex
+    MeshTopology topology_;
     std::vector<double> centre_[3], radius_;        ///< bounding spheres, rounded up
     double maxAbs_ = 0;
     double lo_[3], hi_[3];

@@ -202,6 +202,26 @@ inline void addCube(IndexedMesh& mesh, double halfSize, uint32_t cells, bool inw
     }
 }
 
+/// Prism of long thin sides about the y axis, closed, facing outward.
+inline std::vector<Triangle> prism(uint32_t sides, double radius, double halfHeight) {
+    IndexedMesh mesh;
+    for (uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2 * 3.14159265358979323846 * i / sides;
+        for (const double y : {-halfHeight, halfHeight}) {
+            mesh.addVertex(radius * std::cos(angle), y, -radius * std::sin(angle));
+        }
+    }
+    const uint32_t bottom = mesh.addVertex(0, -halfHeight, 0);
+    const uint32_t top = mesh.addVertex(0, halfHeight, 0);
+    for (uint32_t i = 0; i < sides; ++i) {
+        const uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+        mesh.addQuad(a, b, b + 1, a + 1);
+        mesh.addTriangle(bottom, b, a);
+        mesh.addTriangle(top, a + 1, b + 1);
+    }
+    return mesh.triangles();
+}
+
 /// Room [-8,8]^3 with a box [-4,4]^3 in it, 16 x 16 quads a side, all coordinates exact, many of
 /// them on common planes.
 inline std::vector<Triangle> closedRoom() {

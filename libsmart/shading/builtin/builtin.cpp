@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 
+#include "libsmart/shading/builtin/ambient_occlusion.h"
+#include "libsmart/shading/builtin/area_lights.h"
 #include "libsmart/shading/builtin/cameras.h"
 #include "libsmart/shading/builtin/environments.h"
+#include "libsmart/shading/builtin/glass.h"
 #include "libsmart/shading/builtin/lights.h"
+#include "libsmart/shading/builtin/matrix_camera.h"
 #include "libsmart/shading/builtin/metallic_roughness.h"
+#include "libsmart/shading/builtin/panorama.h"
+#include "libsmart/shading/builtin/rendering_objects.h"
 #include "libsmart/shading/builtin/surfaces.h"
+#include "libsmart/shading/builtin/thin_lens.h"
 #include "libsmart/shading/shader_registry.h"
 
 namespace smart {
@@ -30,13 +37,24 @@ Classes makeClasses() {
     add<MirrorShader>(classes, "MirrorShader");
     add<Phong>(classes, "Phong");
     add<MetallicRoughness>(classes, "MetallicRoughness");
+    add<Glass>(classes, "Glass");
+    add<AmbientOcclusion>(classes, "AmbientOcclusion");
     add<PointLight>(classes, "PointLight");
     add<SpotLightShader>(classes, "SpotLightShader");
     add<DirectionalLight>(classes, "DirectionalLight");
+    add<QuadLight>(classes, "QuadLight");
+    add<SphereLight>(classes, "SphereLight");
     add<ConstantEnvironment>(classes, "ConstantEnvironment");
     add<ImageEnvironment>(classes, "ImageEnvironment");
     add<PinholeCameraShader>(classes, "PinholeCameraShader");
+    add<PinholeCameraShader>(classes, "Pinhole");
     add<Orthographic>(classes, "Orthographic");
+    add<ThinLens>(classes, "ThinLens");
+    add<Panorama>(classes, "Panorama");
+    add<Matrix>(classes, "Matrix");
+    add<Default>(classes, "Default");
+    add<Antialias>(classes, "Antialias");
+    add<PathTracer>(classes, "PathTracer");
     return classes;
 }
 

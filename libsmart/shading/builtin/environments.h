@@ -2,15 +2,16 @@
 // Built-in environments: what a ray sees that meets nothing.
 #pragma once
 
-#include "libsmart/base/transcendental.h"
-#include "openrt/shader.hpp"
+#include "libsmart/shading/builtin/lane_math.h"
 
 namespace smart::builtin {
 
 using namespace openrt;
 
+/// radiance
 struct ConstantEnvironment {
     static constexpr ShaderKind kind = ShaderKind::Environment;
+    static constexpr bool shadesPackets = true;
     Color radiance;
 
     void registerParams(const ShaderRegistrator& r) const {
@@ -27,6 +28,7 @@ struct ConstantEnvironment {
 /// should repeat along s and clamp along t, lest the poles mix.
 struct ImageEnvironment {
     static constexpr ShaderKind kind = ShaderKind::Environment;
+    static constexpr bool shadesPackets = true;
     TextureId texture;
     float scale = 1;
     float rotation = 0;
@@ -38,13 +40,15 @@ struct ImageEnvironment {
     }
     template <class Context>
     void shade(Context& c) const {
+        using Float = typename Context::Float;
         constexpr float kInversePi = float(1 / math::kPi);
-        const Vec3 d = c.rayDirection();
-        const float y = d.y > 1 ? 1.0f : d.y < -1 ? -1.0f : d.y; // rounding may leave length 1
-        const float s = 0.5f + math::atan2(d.x, -d.z) * (0.5f * kInversePi) + rotation / 360.0f;
-        const float t = 0.5f + math::asin(y) * kInversePi;
-        const Vec4 texel = c.texture(texture, {s, t});
-        c.setRadiance(Color(texel.x, texel.y, texel.z) * scale);
+        const auto d = c.rayDirection();
+        const Float y = max(min(d.y, Float(1.0f)), Float(-1.0f)); // rounding may leave length 1
+        const Float s =
+            0.5f + math::atan2(d.x, -d.z) * (0.5f * kInversePi) + rotation / 360.0f;
+        const Float t = 0.5f + math::asin(y) * kInversePi;
+        const auto texel = c.texture(texture, {s, t});
+        c.setRadiance(typename Context::Color(texel.x, texel.y, texel.z) * scale);
     }
 };
 

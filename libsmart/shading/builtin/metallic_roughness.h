@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-
+#include "libsmart/shading/builtin/indirect.h"
+#include "libsmart/shading/builtin/microfacet.h"
 #include "libsmart/shading/builtin/surfaces.h"
 
 namespace smart::builtin {
 
-/// The metallic-roughness material of glTF 2.0, with its BRDF (appendix B: Lambert, GGX, Smith's
-/// separable visibility, Schlick's Fresnel term; Walter et al. 2007). As for the other built-in
-/// surfaces a white diffuse surface that faces a light shows the radiance that arrives: the BRDF
-/// is multiplied by pi. Lights cast shadows.
+/// The metallic-roughness material of glTF 2.0 (appendix B: a mixture by `metallic` of a metal and
+/// of a diffuse surface under a dielectric layer; GGX, Smith's separable masking, Schlick's
+/// Fresnel term), times pi: as for the other built-in surfaces a white diffuse surface that faces
+/// a light shows the radiance that arrives. Lights cast shadows.
 ///
-/// The environment adds, unshadowed, diffuse * environment(n) + F * environment(r); r is the
-/// mirrored direction. The smoother a metal, the more of environment(r) is replaced by what a
-/// mirrored ray sees: by the share metallic * (1 - roughness / kMirrorRoughness).
+/// It keeps energy, which glTF's formulas lose by leaving out light that microfacets reflect more
+/// than once. With E, the share of light that one reflection keeps (microfacet_albedo_table.h):
+///   specular lobe  D G F / (4 (n.l) (n.v)) * (1 + f0 (1 / E - 1))
+///                  (Turquin, "Practical multiple scattering compensation for microfacet models",
+///                  2019)
+///   diffuse lobe   baseColor / pi * (1 - share of light that the dielectric's specular lobe takes)
+///                  in the place of 1 - F.
+///
+/// Light from the surroundings: in path tracing one ray, in the direction of the specular lobe (by
+/// visible normals) or of the diffuse one, by chance. Otherwise the environment adds, unshadowed,
+/// diffuse * environment(n) + (share of the specular lobe) * environment(r); r is the mirrored
+/// direction. The smoother a metal, the more of environment(r) is replaced by what a mirrored ray
+/// sees: by the share metallic * (1 - roughness / kMirrorRoughness).
 /// The current colour multiplies baseColor, as glTF's vertex colours do.
 struct MetallicRoughness {
     enum AlphaMode { Opaque = 0, Mask = 1, Blend = 2 };
     static constexpr float kMirrorRoughness = 0.3f;
-    static constexpr float kLeastRoughness = 0.04f; ///< keeps a point light's highlight finite
+    static constexpr float kDielectricF0 = 0.04f;
 
     Vec4 baseColor{1, 1, 1, 1};
     float metallic = 1;
@@ -50,120 +60,186 @@ struct MetallicRoughness {
         r.registerParam<bool>("doubleSided", PER_SHADER, offsetof(Self, doubleSided));
     }
 
+    static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
-        const Vec4 base = baseAt(c);
-        const float coverage = coverageOf(base.w);
-        const bool culled =
-            !doubleSided && dot(c.shadingNormal(), c.facingGeometricNormal()) < 0;
-        if (culled || coverage <= 0) {
-            c.setRadiance(c.trace(c.position(), c.rayDirection()));
-            return;
+        using Float = typename Context::Float;
+        using Condition = typename Context::Condition;
+        const auto base = baseAt(c);
+        const Float coverage = coverageOf<Float>(base.w);
+        Condition through = coverage <= 0.0f;
+        if (!doubleSided)
+            through = through | (dot(c.shadingNormal(), c.facingGeometricNormal()) < 0.0f);
+        const Condition solid = activeOf(c) & !through;
+        typename Context::Color radiance;
+        if (any(solid)) radiance = (reflected(c, base, solid) + emission(c)) * coverage;
+        radiance = select(solid, radiance, typename Context::Color());
+        const Condition seen = activeOf(c) & (through | (coverage < 1.0f));
+        if (any(seen)) {
+            const Float share = select(through, Float(1.0f), 1.0f - coverage);
+            const auto behind = c.trace(c.position(), c.rayDirection(), share, seen);
+            radiance = select(seen, radiance + behind * share, radiance);
         }
-        Color radiance = reflected(c, base) + emission(c);
-        if (coverage < 1)
-            radiance = radiance * coverage +
-                       c.trace(c.position(), c.rayDirection(), 1 - coverage) * (1 - coverage);
         c.setRadiance(radiance);
     }
+    bool opaque() const { return alphaMode != Mask && alphaMode != Blend; }
     template <class Context>
     Color transparency(Context& c) const {
-        if (alphaMode != Mask && alphaMode != Blend) return {};
-        return Color(1 - coverageOf(baseAt(c).w));
+        if (opaque()) return {};
+        return Color(1 - coverageOf<float>(baseAt(c).w));
     }
 
 private:
-    struct Point {
-        Vec3 normal, view;
-        Color diffuse, f0;
-        float alpha, normalView; ///< alpha: roughness squared
+    /// The surface at the shaded points.
+    template <class Context>
+    struct Surface {
+        typename Context::Vec3 normal, view;
+        typename Context::Color base;
+        typename Context::Float metal, rough, alpha, alpha2; ///< alpha: roughness squared
+        typename Context::Float normalView;
+        /// Share of light that the specular lobes take, over what one reflection keeps of it.
+        typename Context::Float dielectricGain;
+        typename Context::Color metalGain;
+        typename Context::Color specularAlbedo, diffuseAlbedo;
     };
 
-    static float clamped(float x) { return x > 1 ? 1.0f : x > 0 ? x : 0.0f; }
-    static float fifthPower(float x) { return x * x * x * x * x; }
-
-    float coverageOf(float alpha) const {
-        if (alphaMode == Mask) return alpha < alphaCutoff ? 0.0f : 1.0f;
-        return alphaMode == Blend ? clamped(alpha) : 1.0f;
+    template <class Float>
+    Float coverageOf(const Float& alpha) const {
+        if (alphaMode == Mask) return select(alpha < alphaCutoff, Float(0.0f), Float(1.0f));
+        return alphaMode == Blend ? clampToUnit(alpha) : Float(1.0f);
     }
     template <class Context>
-    Vec4 baseAt(Context& c) const {
-        const Color color = c.color();
-        Vec4 base{baseColor.x * color.r, baseColor.y * color.g, baseColor.z * color.b,
-                  baseColor.w * c.alpha()};
+    typename Context::Vec4 baseAt(Context& c) const {
+        const auto color = c.color();
+        typename Context::Vec4 base{baseColor.x * color.r, baseColor.y * color.g,
+                                    baseColor.z * color.b, baseColor.w * c.alpha()};
         if (baseColorTexture) {
-            const Vec4 texel = c.texture(baseColorTexture, c.texCoord());
+            const auto texel = c.texture(baseColorTexture, c.texCoord());
             base = {base.x * texel.x, base.y * texel.y, base.z * texel.z, base.w * texel.w};
         }
         return base;
     }
     template <class Context>
-    Color emission(Context& c) const {
+    typename Context::Color emission(Context& c) const {
         if (!emissiveTexture || emissive.black()) return emissive;
         return emissive * colorOf(c.texture(emissiveTexture, c.texCoord()));
     }
 
     template <class Context>
-    Color reflected(Context& c, const Vec4& base) const {
-        float metal = metallic, rough = roughness;
+    Surface<Context> surfaceAt(Context& c, const typename Context::Vec4& base) const {
+        using Float = typename Context::Float;
+        using PointColor = typename Context::Color;
+        Float metal = metallic, rough = roughness;
         if (metallicRoughnessTexture) {
-            const Vec4 texel = c.texture(metallicRoughnessTexture, c.texCoord());
-            rough *= texel.y;
-            metal *= texel.z;
+            const auto texel = c.texture(metallicRoughnessTexture, c.texCoord());
+            rough = rough * texel.y;
+            metal = metal * texel.z;
         }
-        metal = clamped(metal);
-        rough = clamped(rough);
-        const float least = rough > kLeastRoughness ? rough : kLeastRoughness;
-        Point p;
-        p.normal = c.facingNormal();
-        p.view = -c.rayDirection();
-        p.diffuse = colorOf(base) * (1 - metal);
-        p.f0 = Color(0.04f) * (1 - metal) + colorOf(base) * metal;
-        p.alpha = least * least;
-        p.normalView = clamped(dot(p.normal, p.view));
-
-        Color sum = fromEnvironment(c, p, metal, rough);
-        forEachLight(c, p.normal, [&](const LightSample& light, float cosine, bool lit) {
-            const Color arriving = light.radiance * visibility(c, light, lit);
-            if (!arriving.black()) sum += brdf(p, light.direction, cosine) * arriving * cosine;
-        });
-        return sum;
-    }
-
-    /// glTF's BRDF times pi.
-    static Color brdf(const Point& p, const Vec3& light, float normalLight) {
-        const Vec3 half = normalize(p.view + light);
-        const Color fresnel =
-            p.f0 + (Color(1.0f) - p.f0) * fifthPower(1 - clamped(dot(p.view, half)));
-        // 1 - (n.h)^2 as the square of n x h: no cancellation in the highlight's middle.
-        const float normalHalf = dot(p.normal, half);
-        const Vec3 sine = cross(p.normal, half);
-        const float a2 = p.alpha * p.alpha;
-        const float spread = a2 * normalHalf * normalHalf + dot(sine, sine);
-        const auto masking = [&](float cosine) {
-            return 1 / (cosine + std::sqrt(a2 + (1 - a2) * cosine * cosine));
-        };
-        const float specular =
-            a2 / (spread * spread) * masking(normalLight) * masking(p.normalView);
-        return (Color(1.0f) - fresnel) * p.diffuse + fresnel * specular;
+        Surface<Context> s;
+        s.metal = clampToUnit(metal);
+        s.rough = clampToUnit(rough);
+        s.normal = c.facingNormal();
+        s.view = -c.rayDirection();
+        s.base = colorOf(base);
+        const Float least = max(s.rough, Float(kLeastRoughness));
+        s.alpha = least * least;
+        s.alpha2 = s.alpha * s.alpha;
+        s.normalView = clampToUnit(dot(s.normal, s.view));
+        const auto albedo = microfacetAlbedo(s.normalView, s.rough);
+        const Float lost = 1.0f / albedo.white - 1.0f;
+        s.dielectricGain = 1.0f + kDielectricF0 * lost;
+        s.metalGain = PointColor(Float(1.0f)) + s.base * lost;
+        const Float once = albedo.white - albedo.grazing;
+        const Float dielectric = (kDielectricF0 * once + albedo.grazing) * s.dielectricGain;
+        const PointColor metalAlbedo =
+            (s.base * once + PointColor(albedo.grazing)) * s.metalGain;
+        s.specularAlbedo = PointColor(dielectric * (1.0f - s.metal)) + metalAlbedo * s.metal;
+        s.diffuseAlbedo = s.base * ((1.0f - s.metal) * (1.0f - dielectric));
+        return s;
     }
 
     template <class Context>
-    Color fromEnvironment(Context& c, const Point& p, float metal, float rough) const {
-        const Vec3 mirrored = reflect(-p.view, p.normal);
-        const float grazing = 1 - rough;
-        const auto schlick = [&](float f0) {
-            return f0 + ((grazing > f0 ? grazing : f0) - f0) * fifthPower(1 - p.normalView);
-        };
-        const Color fresnel{schlick(p.f0.r), schlick(p.f0.g), schlick(p.f0.b)};
-        const float mirror = metal * clamped(1 - rough / kMirrorRoughness);
-        Color seen;
-        if (mirror < 1) seen += c.environment(mirrored) * (1 - mirror);
-        if (mirror > 0)
-            seen += c.trace(c.position(), mirrored, mirror * fresnel.largest()) * mirror;
-        Color sum = fresnel * seen;
-        if (!p.diffuse.black()) sum += p.diffuse * c.environment(p.normal);
-        return sum;
+    typename Context::Color reflected(Context& c, const typename Context::Vec4& base,
+                                      typename Context::Condition wanted) const {
+        using PointColor = typename Context::Color;
+        const Surface<Context> s = surfaceAt(c, base);
+        PointColor sum;
+        forEachLight(c, s.normal, wanted, [&](const auto& light, const auto& cosine, auto lit) {
+            const PointColor arriving = light.radiance * visibility(c, light, lit);
+            lit = lit & !arriving.black();
+            if (any(lit))
+                sum = select(lit, sum + brdf(s, light.direction, cosine) * arriving * cosine, sum);
+        });
+        return sum + (c.indirect() ? bounce(c, s, wanted) : fromEnvironment(c, s, wanted));
+    }
+
+    /// Fresnel's factor of both specular lobes, with what further reflections add.
+    template <class Context>
+    static typename Context::Color fresnel(const Surface<Context>& s,
+                                           const typename Context::Float& viewHalf) {
+        using PointColor = typename Context::Color;
+        const auto weight = schlickWeight(clampToUnit(viewHalf));
+        const auto dielectric = (kDielectricF0 + (1.0f - kDielectricF0) * weight) *
+                                s.dielectricGain * (1.0f - s.metal);
+        const PointColor metal =
+            (s.base * (1.0f - weight) + PointColor(weight)) * s.metalGain * s.metal;
+        return PointColor(dielectric) + metal;
+    }
+
+    /// The BRDF times pi.
+    template <class Context>
+    static typename Context::Color brdf(const Surface<Context>& s,
+                                        const typename Context::Vec3& light,
+                                        const typename Context::Float& normalLight) {
+        const auto half = normalize(s.view + light);
+        return s.diffuseAlbedo +
+               fresnel(s, dot(s.view, half)) *
+                   microfacetPeak(s.normal, half, normalLight, s.normalView, s.alpha2);
+    }
+
+    template <class Context>
+    typename Context::Color bounce(Context& c, const Surface<Context>& s,
+                                   typename Context::Condition wanted) const {
+        using Float = typename Context::Float;
+        using PointVec3 = typename Context::Vec3;
+        using PointColor = typename Context::Color;
+        const Float u0 = c.random(wanted), u1 = c.random(wanted), u2 = c.random(wanted);
+        const Float specular = s.specularAlbedo.largest();
+        const Float probability = clampToUnit(specular / (specular + s.diffuseAlbedo.largest()));
+        const auto glossy = u0 < probability;
+
+        const Basis<PointVec3> frame(s.normal);
+        PointVec3 view = frame.toLocal(s.view);
+        view.z = max(view.z, Float(0.0f)); // shading normals may lie behind the ray
+        const PointVec3 half = visibleNormal(normalize(view), s.alpha, u1, u2);
+        const PointVec3 mirrored = reflect(-view, half);
+        const PointColor mirroredShare =
+            fresnel(s, dot(view, half)) * (smithMasking(mirrored.z, s.alpha2) / probability);
+        const auto scattered = glossy & (mirrored.z > 0.0f);
+        const PointColor throughput =
+            select(scattered, mirroredShare,
+                   select(glossy, PointColor(), s.diffuseAlbedo / (1.0f - probability)));
+        const PointVec3 direction =
+            select(glossy, frame.toWorld(mirrored), cosineDirection(s.normal, u1, u2));
+        return continuePath(c, inFrontOf(c.facingGeometricNormal(), direction), throughput,
+                            wanted);
+    }
+
+    template <class Context>
+    typename Context::Color fromEnvironment(Context& c, const Surface<Context>& s,
+                                            typename Context::Condition wanted) const {
+        using Float = typename Context::Float;
+        using PointColor = typename Context::Color;
+        const auto mirrored = inFrontOf(c.facingGeometricNormal(), reflect(-s.view, s.normal));
+        const Float mirror = s.metal * clampToUnit(1.0f - s.rough / kMirrorRoughness);
+        const auto smooth = wanted & (mirror > 0.0f);
+        PointColor seen = c.environment(mirrored, wanted & (mirror < 1.0f)) * (1.0f - mirror);
+        if (any(smooth))
+            seen += c.trace(c.position(), mirrored, mirror * s.specularAlbedo.largest(), smooth) *
+                    mirror;
+        return s.specularAlbedo * seen +
+               s.diffuseAlbedo *
+                   c.environment(s.normal, wanted & !s.diffuseAlbedo.black());
     }
 };
 

@@ -5,24 +5,32 @@
 // points and packets alike, with the same bits.
 #pragma once
 
-#include "libsmart/shading/builtin/lane_math.h"
+#include <utility>
+
+#include "libsmart/shading/builtin/indirect.h"
 
 namespace smart::builtin {
 
 using namespace openrt;
 
 /// Calls contribution(sample, n.l, lit) for each light that is in front of a surface with normal
-/// n, or of some points of a packet: those that are `lit`.
+/// n, or of some of the wanted points of a packet: those that are `lit`.
 template <class Context, class Contribution>
-void forEachLight(Context& c, const typename Context::Vec3& normal, Contribution&& contribution) {
+void forEachLight(Context& c, const typename Context::Vec3& normal,
+                  typename Context::Condition wanted, Contribution&& contribution) {
     const RTuint count = c.lightCount();
     for (RTuint i = 0; i < count; ++i) {
         typename Context::LightSample sample{};
-        typename Context::Condition lit = c.illuminate(i, sample);
+        typename Context::Condition lit = c.illuminate(i, sample, wanted);
         const auto cosine = dot(normal, sample.direction);
         lit = lit & (cosine > 0.0f);
         if (any(lit)) contribution(sample, cosine, lit);
     }
+}
+
+template <class Context, class Contribution>
+void forEachLight(Context& c, const typename Context::Vec3& normal, Contribution&& contribution) {
+    forEachLight(c, normal, activeOf(c), std::forward<Contribution>(contribution));
 }
 
 /// Share of a light that arrives, where it is asked for. Behind the triangle's plane none does,
@@ -61,7 +69,7 @@ struct ConstantShader {
     }
 };
 
-/// sum of color * (n.l) * L, without shadows
+/// sum of color * (n.l) * L, without shadows; in path tracing also color * (indirect light)
 struct DiffuseShader {
     Color color{1.0f};
 
@@ -75,11 +83,13 @@ struct DiffuseShader {
         forEachLight(c, c.facingNormal(), [&](const auto& light, const auto& cosine, auto lit) {
             sum = select(lit, sum + color * light.radiance * cosine, sum);
         });
+        if (c.indirect()) sum += diffuseBounce(c, c.facingNormal(), color, activeOf(c));
         c.setRadiance(sum);
     }
 };
 
-/// texture * (radiance + sum of (n.l) * L), without shadows
+/// texture * (radiance + sum of (n.l) * L), without shadows; in path tracing indirect light stands
+/// in the place of `radiance`
 struct TexturedDiffuseShader {
     TextureId texture;
     Color radiance; ///< ambient
@@ -91,11 +101,15 @@ struct TexturedDiffuseShader {
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
-        typename Context::Color sum = radiance;
+        const typename Context::Color texel = colorOf(c.texture(texture, c.texCoord()));
+        typename Context::Color sum;
+        if (!c.indirect()) sum = radiance;
         forEachLight(c, c.facingNormal(), [&](const auto& light, const auto& cosine, auto lit) {
             sum = select(lit, sum + light.radiance * cosine, sum);
         });
-        c.setRadiance(colorOf(c.texture(texture, c.texCoord())) * sum);
+        sum = texel * sum;
+        if (c.indirect()) sum += diffuseBounce(c, c.facingNormal(), texel, activeOf(c));
+        c.setRadiance(sum);
     }
 };
 
@@ -134,6 +148,8 @@ struct MirrorShader {
 ///   + sum of visibility * L * (texture * diffuse * (n.l) + specular * max(r.l, 0)^shininess)
 ///   + reflection * (mirrored ray) + transmission * (ray straight on);
 /// r is the mirrored direction. Shadow rays are attenuated by `transmission`.
+/// In path tracing texture * diffuse * (indirect light) stands in the place of texture * ambient;
+/// the highlight, which follows no law of physics, reflects lights only.
 struct Phong {
     Color ambient, diffuse{0.8f}, specular, emissive;
     float shininess = 32;
@@ -158,7 +174,8 @@ struct Phong {
         const PointColor texel = texture ? PointColor(colorOf(c.texture(texture, c.texCoord())))
                                          : PointColor(Color(1.0f));
         const PointColor surface = texel * diffuse;
-        PointColor sum = emissive + texel * ambient;
+        PointColor sum = emissive;
+        sum += c.indirect() ? diffuseBounce(c, normal, surface, activeOf(c)) : texel * ambient;
         forEachLight(c, normal, [&](const auto& light, const auto& cosine, auto lit) {
             PointColor reflected = surface * cosine;
             if (!specular.black()) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "tests/libsmart/kernel/engine_check.h"
+#include "tests/support/one_sided_tree.h"
 #include "tests/support/procedural_meshes.h"
 #include "tests/support/ray_sets.h"
 #include "tests/support/woop_brute_force.h"
@@ -50,49 +51,10 @@ TEST(CheckerControls, APlantedWrongPrimitiveIsFound) {
     }
 }
 
-/// The model's tree with each triangle that straddles a split plane on one side only: in the leaf
-/// of its lowest number alone.
-struct OneSidedTree {
-    std::vector<KdNode> nodes;
-    std::vector<uint32_t> prims;
-    ModelView model;
-    InstanceView child;
-    ModelView scene;
-    std::size_t dropped = 0;
-
-    explicit OneSidedTree(const TracedScene& source) : scene(source.view()) {
-        const Model& whole = *source.scene().group().instances()[0].model;
-        nodes = whole.tree.nodes;
-        prims = whole.tree.prims;
-        std::vector<uint8_t> seen(whole.triangles.size());
-        for (KdNode& node : nodes) {
-            if ((node.bits & 3) != kKdLeaf) continue;
-            const uint32_t count = node.bits >> 2;
-            uint32_t kept = 0;
-            for (uint32_t i = 0; i < count; ++i) {
-                const uint32_t triangle = prims[node.firstPrim + i];
-                if (seen[triangle]++)
-                    ++dropped;
-                else
-                    prims[node.firstPrim + kept++] = triangle;
-            }
-            node.bits = kept << 2 | kKdLeaf;
-        }
-        model = whole.view();
-        model.tree.nodes = nodes.data();
-        model.tree.prims = prims.data();
-        child = scene.children[0];
-        child.model = &model;
-        scene.children = &child;
-    }
-    OneSidedTree(const OneSidedTree&) = delete;
-    OneSidedTree& operator=(const OneSidedTree&) = delete;
-};
-
 TEST(CheckerControls, AOneSidedSplitIsFound) {
     const auto mesh = grid();
     const TracedScene scene(mesh);
-    const OneSidedTree broken(scene);
+    const OneSidedTree broken(scene.scene());
     ASSERT_GT(broken.dropped, 0u);
     const auto rays = raysFromOutside(mesh, 1, 2000, Target::Edge, Aim::Exact, 62);
     const auto truth = scene.truth(rays);

@@ -34,7 +34,7 @@ glm::dmat4 moved(double x, double y, double z) {
 bool clearlySeen(const ExactReference& reference, uint32_t triangle,
                  const std::array<double, 3>& direction) {
     int sides = 0, count = 0;
-    for (uint32_t neighbour : reference.neighbours(triangle)) {
+    for (uint32_t neighbour : reference.topology().neighbours(triangle)) {
         const auto& v = reference.corners(neighbour);
         const glm::dvec3 a(v[0], v[1], v[2]), b(v[3], v[4], v[5]), c(v[6], v[7], v[8]);
         const double cosine = glm::dot(glm::normalize(glm::cross(b - a, c - a)),
@@ -57,7 +57,7 @@ std::vector<Ray> aimedAtWorld(const TracedScene& scene, std::size_t count, uint6
         const std::array<double, 3> away = random.onSphere();
         if (!clearlySeen(reference, triangle, away)) continue;
         const auto& v = reference.corners(triangle);
-        const uint32_t kind = reference.neighbours(triangle).size() < 4 ? 2 : random.below(3);
+        const uint32_t kind = reference.topology().neighbours(triangle).size() < 4 ? 2 : random.below(3);
         double weight[3] = {1, 0, 0};
         if (kind >= 1) {
             weight[1] = random.between(0.05, 0.95);
@@ -208,7 +208,8 @@ TEST(Instances, VisitsGrowLittleFrom100To10000) {
         const Scene scene(std::move(instances), Precision::Watertight, 1);
         HitPacket hits;
         for (const Ray& ray : rays) {
-            kernels().intersectCounted(scene.view(), packet({&ray, 1}, 0), hits, counts[size]);
+            kernels().intersectCounted[int(Precision::Watertight)](
+                scene.view(), packet({&ray, 1}, 0), hits, counts[size]);
         }
     }
     const double nodes = double(counts[1].nodes) / double(counts[0].nodes);

@@ -14,26 +14,6 @@
 namespace smart::test {
 namespace {
 
-/// Prism of long thin sides about the y axis, closed, facing outward.
-std::vector<Triangle> prism(uint32_t sides, double radius, double halfHeight) {
-    IndexedMesh mesh;
-    for (uint32_t i = 0; i < sides; ++i) {
-        const double angle = 2 * 3.14159265358979323846 * i / sides;
-        for (const double y : {-halfHeight, halfHeight}) {
-            mesh.addVertex(radius * std::cos(angle), y, -radius * std::sin(angle));
-        }
-    }
-    const uint32_t bottom = mesh.addVertex(0, -halfHeight, 0);
-    const uint32_t top = mesh.addVertex(0, halfHeight, 0);
-    for (uint32_t i = 0; i < sides; ++i) {
-        const uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
-        mesh.addQuad(a, b, b + 1, a + 1);
-        mesh.addTriangle(bottom, b, a);
-        mesh.addTriangle(top, a + 1, b + 1);
-    }
-    return mesh.triangles();
-}
-
 /// From random points of the mesh, `side` = 1 outward, -1 inward, at most about 84 degrees from
 /// the normal.
 std::vector<Ray> raysOffSurface(const std::vector<Triangle>& mesh, double side, std::size_t count) {
@@ -75,15 +55,18 @@ void expectNoAcneAndNoLeak(const std::vector<Triangle>& mesh, const char* name) 
     SCOPED_TRACE(name);
     const Scene scene({place(makeModel(mesh))}, Precision::Watertight, 1);
     const std::size_t count = rayCount(5000);
-    std::size_t shadowed = 0, escaped = 0;
-    for (const Hit& hit : traceAllWays(scene.view(), raysOffSurface(mesh, 1, count))) {
-        shadowed += hit.triangle != kNoHit;
+    const auto outward = raysOffSurface(mesh, 1, count), inward = raysOffSurface(mesh, -1, count);
+    for (const Precision precision : {Precision::Watertight, Precision::Precise}) {
+        std::size_t shadowed = 0, escaped = 0;
+        for (const Hit& hit : traceAllWays(scene.view(), outward, precision)) {
+            shadowed += hit.triangle != kNoHit;
+        }
+        for (const Hit& hit : traceAllWays(scene.view(), inward, precision)) {
+            escaped += hit.triangle == kNoHit;
+        }
+        EXPECT_EQ(shadowed, 0u) << "of " << count << " in mode " << int(precision);
+        EXPECT_EQ(escaped, 0u) << "of " << count << " in mode " << int(precision);
     }
-    for (const Hit& hit : traceAllWays(scene.view(), raysOffSurface(mesh, -1, count))) {
-        escaped += hit.triangle == kNoHit;
-    }
-    EXPECT_EQ(shadowed, 0u) << "of " << count;
-    EXPECT_EQ(escaped, 0u) << "of " << count;
 }
 
 TEST(SecondaryRays, NeitherShadowThemselvesNorLeakOnConvexMeshes) {

@@ -139,7 +139,7 @@ TEST(CameraRays, ViewportCoversItsPixelsOnly) {
 
 TEST(CameraRays, CameraShaderSeesTheUnitSquareAndItsLimitsAreInItsUnits) {
     const CameraFrame camera([](float x, float y, RTScameraray* ray) {
-        *ray = {{x, y, 7.0f}, {0.0f, 0.0f, 4.0f}, 0.5f, 2.0f};
+        *ray = {{x, y, 7.0f}, {0.0f, 0.0f, 4.0f}, 0.5f, 2.0f, nullptr};
         return 0;
     });
     const CameraRays rays(camera.frame);
@@ -158,7 +158,7 @@ TEST(CameraRays, RaysThatAreNoneAreRefused) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const auto refused = [](int answer, float origin, float direction) {
         const CameraFrame camera([=](float, float, RTScameraray* ray) {
-            *ray = {{origin, 0, 0}, {0, direction, 0}, 0.0f, kInf};
+            *ray = {{origin, 0, 0}, {0, direction, 0}, 0.0f, kInf, nullptr};
             return answer;
         });
         Ray ray;

@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <future>
 #include <latch>
 #include <random>
@@ -13,86 +12,25 @@
 #include <thread>
 #include <vector>
 
-#include "libsmart/render/worker.h"
+#include "tests/libsmart/render/fake_frames.h"
 
-namespace smart {
+namespace smart::test {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// A frame with its own memory, four floats a pixel.
-struct TestFrame {
-    std::vector<float> memory;
-    std::shared_ptr<Frame> frame = std::make_shared<Frame>();
-
-    TestFrame(uint64_t id, uint32_t width, uint32_t height)
-        : memory(std::size_t(width) * height * 4, -1.0f) {
-        frame->id = id;
-        frame->target.memory = memory.data();
-        frame->target.width = width;
-        frame->target.height = height;
-        frame->target.format = PixelFormat::Rgba32f;
-    }
-};
-
-/// Colours each pixel by its place and its frame; `before` may wait or throw.
-class FakeTracer final : public Tracer {
-public:
-    using Before = std::function<void(const Frame&, const Tile&)>;
-    explicit FakeTracer(Before before = {}) : before_(std::move(before)) {}
-
-    void render(const Frame& frame, const Tile& tile, TilePixels& pixels) const override {
-        if (before_) before_(frame, tile);
-        for (uint32_t j = 0; j < tile.height; ++j)
-            for (uint32_t i = 0; i < tile.width; ++i)
-                pixels.color[j * kTileSize + i] = {float(tile.x + i), float(tile.y + j),
-                                                   float(frame.id), 1.0f};
-        pixels.primaryRays = uint64_t(tile.width) * tile.height;
-        pixels.shadowRays = 2;
-        pixels.secondaryRays = 3;
-        pixels.badPixels = 1;
-    }
-
-private:
-    Before before_;
-};
-
-bool complete(const TestFrame& f) {
-    const uint32_t width = f.frame->target.width;
-    for (std::size_t i = 0; i < f.memory.size() / 4; ++i) {
-        const float* p = &f.memory[4 * i];
-        if (p[0] != float(i % width) || p[1] != float(i / width) || p[2] != float(f.frame->id))
-            return false;
-    }
-    return true;
-}
-
-/// Threads on a queue, sent home at the end.
-class Team {
-public:
-    Team(unsigned threads, FrameQueue& queue, const Tracer& tracer)
-        : queue_(queue), team_(threads, queue, tracer) {}
-    ~Team() { queue_.close(); }
-
-private:
-    FrameQueue& queue_;
-    ThreadTeam team_;
-};
-
 TEST(FrameQueue, OneThreadAndManyWriteTheSamePixels) {
     TestFrame alone(7, 333, 217), together(7, 333, 217);
     FrameQueue sequential(1);
-    sequential.submit(alone.frame);
+    submit(sequential, alone);
     sequential.close();
     work(sequential, FakeTracer());
-    sequential.wait(7);
-    EXPECT_TRUE(complete(alone));
+    EXPECT_TRUE(isComplete(alone));
 
     FakeTracer tracer;
     FrameQueue queue(1);
     Team team(5, queue, tracer);
-    queue.submit(together.frame);
-    queue.wait(7);
+    EXPECT_EQ(submit(queue, together)->wait(), FrameStatus::Done);
     EXPECT_EQ(alone.memory, together.memory);
 }
 
@@ -108,42 +46,42 @@ TEST(FrameQueue, ManyFramesWithRandomDelaysCompleteInOrder) {
     });
     FrameQueue queue(3);
     Team team(4, queue, tracer);
-    std::thread waiter([&] {
-        for (uint64_t id = kFrames; id > 0; --id) queue.progress(id);
-    });
     uint64_t pixels = 0;
+    std::vector<QueuedFramePtr> queued;
     for (const TestFrame& f : frames) {
-        queue.submit(f.frame);
+        queued.push_back(submit(queue, f));
         pixels += uint64_t(f.frame->target.width) * f.frame->target.height;
     }
-    waiter.join();
     // A frame that is complete has all earlier ones complete.
-    queue.wait(kFrames);
-    for (const TestFrame& f : frames) {
-        EXPECT_EQ(queue.progress(f.frame->id), 1.0f);
-        EXPECT_TRUE(complete(f)) << f.frame->id;
+    queued.back()->wait();
+    for (std::size_t i = 0; i < kFrames; ++i) {
+        EXPECT_TRUE(queued[i]->ended());
+        EXPECT_EQ(queued[i]->status(), FrameStatus::Done);
+        EXPECT_EQ(queued[i]->progress(), 1.0f);
+        EXPECT_TRUE(isComplete(frames[i])) << frames[i].frame->id;
     }
+    queue.waitAll();
     EXPECT_EQ(queue.statistics().primaryRays, pixels);
     EXPECT_EQ(queue.statistics().shadowRays * 3, queue.statistics().secondaryRays * 2);
-    EXPECT_EQ(queue.statistics().badPixels * 2, queue.statistics().shadowRays);
+    EXPECT_GT(queue.statistics().busyNanoseconds, 0u);
 }
 
 TEST(FrameQueue, HandsOutTilesOfTheNextFrameWhileTheLastIsRendered) {
     TestFrame first(1, 32, 32), second(2, 32, 32);
     FrameQueue queue(2);
-    queue.submit(first.frame);
-    queue.submit(second.frame);
-    const auto a = queue.next();
-    const auto b = queue.next();
-    ASSERT_TRUE(a && b);
-    EXPECT_EQ(a->frame->id, 1u);
-    EXPECT_EQ(b->frame->id, 2u);
+    submit(queue, first);
+    const QueuedFramePtr queued = submit(queue, second);
+    TileJob a, b;
+    ASSERT_TRUE(queue.next(a) && queue.next(b));
+    EXPECT_EQ(a.frame->id, 1u);
+    EXPECT_EQ(b.frame->id, 2u);
     const auto pixels = std::make_unique<TilePixels>();
-    queue.done(*b, *pixels);
+    queue.done(b, *pixels);
     // The second frame waits for the first to be delivered.
-    const auto waiting = std::async(std::launch::async, [&] { queue.wait(2); });
+    EXPECT_EQ(queued->status(), FrameStatus::Rendering);
+    const auto waiting = std::async(std::launch::async, [&] { queued->wait(); });
     EXPECT_EQ(waiting.wait_for(20ms), std::future_status::timeout);
-    queue.done(*a, *pixels);
+    queue.done(a, *pixels);
     EXPECT_EQ(waiting.wait_for(10s), std::future_status::ready);
 }
 
@@ -152,18 +90,18 @@ TEST(FrameQueue, HandsOutFramesInOrder) {
     const auto pixels = std::make_unique<TilePixels>();
     std::vector<TestFrame> frames;
     for (uint64_t id = 1; id <= 9; ++id) frames.emplace_back(id, 40, 20); // two tiles each
-    queue.submit(frames[0].frame);
+    submit(queue, frames[0]);
+    TileJob job;
     for (uint64_t id = 1; id <= 9; ++id) {
-        if (id < 9) queue.submit(frames[id].frame);
+        if (id < 9) submit(queue, frames[id]);
         for (int tile = 0; tile < 2; ++tile) {
-            const auto job = queue.next();
-            ASSERT_TRUE(job);
-            EXPECT_EQ(job->frame->id, id);
-            queue.done(*job, *pixels);
+            ASSERT_TRUE(queue.next(job));
+            EXPECT_EQ(job.frame->id, id);
+            queue.done(job, *pixels);
         }
     }
     queue.close();
-    EXPECT_FALSE(queue.next());
+    EXPECT_FALSE(queue.next(job));
 }
 
 TEST(FrameQueue, SubmitBlocksWhileTheQueueIsFull) {
@@ -172,15 +110,33 @@ TEST(FrameQueue, SubmitBlocksWhileTheQueueIsFull) {
     FakeTracer tracer([&](const Frame&, const Tile&) { go.wait(); });
     FrameQueue queue(2);
     Team team(2, queue, tracer);
-    queue.submit(frames[0].frame);
-    queue.submit(frames[1].frame); // does not block: two may be queued
-    EXPECT_LT(queue.progress(1), 1.0f);
-    auto third = std::async(std::launch::async, [&] { queue.submit(frames[2].frame); });
+    const QueuedFramePtr first = submit(queue, frames[0]);
+    submit(queue, frames[1]); // does not block: two may be queued
+    EXPECT_LT(first->progress(), 1.0f);
+    auto third = std::async(std::launch::async, [&] { return submit(queue, frames[2]); });
     EXPECT_EQ(third.wait_for(50ms), std::future_status::timeout);
     go.count_down();
-    third.get();
-    queue.wait(3);
-    for (const TestFrame& f : frames) EXPECT_TRUE(complete(f));
+    third.get()->wait();
+    for (const TestFrame& f : frames) EXPECT_TRUE(isComplete(f));
+}
+
+TEST(FrameQueue, TheDepthChangesWhileFramesAreInFlight) {
+    std::vector<TestFrame> frames;
+    for (uint64_t id = 1; id <= 12; ++id) frames.emplace_back(id, 40, 40);
+    std::latch go(1);
+    FakeTracer tracer([&](const Frame&, const Tile&) { go.wait(); });
+    FrameQueue queue(1);
+    Team team(2, queue, tracer);
+    submit(queue, frames[0]);
+    queue.setDepth(4000000000u); // costs nothing
+    for (int i = 1; i < 11; ++i) submit(queue, frames[std::size_t(i)]);
+    queue.setDepth(2); // those in flight go on
+    EXPECT_EQ(queue.depth(), 2u);
+    auto last = std::async(std::launch::async, [&] { return submit(queue, frames[11]); });
+    EXPECT_EQ(last.wait_for(20ms), std::future_status::timeout);
+    go.count_down();
+    EXPECT_EQ(last.get()->wait(), FrameStatus::Done);
+    for (const TestFrame& f : frames) EXPECT_TRUE(isComplete(f));
 }
 
 TEST(FrameQueue, FailedFrameIsReportedOnceAndTheNextGoesOn) {
@@ -192,19 +148,19 @@ TEST(FrameQueue, FailedFrameIsReportedOnceAndTheNextGoesOn) {
     });
     FrameQueue queue(2);
     Team team(2, queue, tracer);
-    queue.submit(bad.frame);
-    queue.submit(good.frame);
+    const QueuedFramePtr failed = submit(queue, bad), next = submit(queue, good);
+    EXPECT_EQ(failed->wait(), FrameStatus::Failed);
     try {
-        queue.wait(1);
-        FAIL() << "no exception";
+        std::rethrow_exception(failed->takeError());
     } catch (const std::runtime_error& error) {
         EXPECT_STREQ(error.what(), "out of paper");
     }
     EXPECT_LT(rendered.load(), 100); // the other tiles were dropped
-    EXPECT_NO_THROW(queue.wait(1));
-    EXPECT_NO_THROW(queue.wait(2));
-    EXPECT_TRUE(complete(good));
-    EXPECT_EQ(queue.progress(1), 1.0f);
+    EXPECT_FALSE(failed->takeError());
+    EXPECT_EQ(failed->progress(), 1.0f);
+    EXPECT_EQ(next->wait(), FrameStatus::Done);
+    EXPECT_FALSE(next->takeError());
+    EXPECT_TRUE(isComplete(good));
 }
 
 TEST(FrameQueue, AllTilesFailingAtOnce) {
@@ -213,24 +169,28 @@ TEST(FrameQueue, AllTilesFailingAtOnce) {
     Team team(4, queue, tracer);
     for (uint64_t id = 1; id <= 20; ++id) {
         TestFrame f(id, 200, 200);
-        queue.submit(f.frame);
-        EXPECT_THROW(queue.wait(id), std::bad_alloc);
+        const QueuedFramePtr queued = submit(queue, f);
+        EXPECT_EQ(queued->wait(), FrameStatus::Failed);
+        EXPECT_THROW(std::rethrow_exception(queued->takeError()), std::bad_alloc);
     }
 }
 
 TEST(FrameQueue, ProgressRisesFromZeroToOne) {
     TestFrame f(1, 128, 96);
     FrameQueue queue(1);
-    queue.submit(f.frame);
-    EXPECT_EQ(queue.progress(1), 0.0f);
+    const QueuedFramePtr queued = submit(queue, f);
+    EXPECT_EQ(queued->progress(), 0.0f);
+    EXPECT_EQ(queued->status(), FrameStatus::Queued);
     const auto pixels = std::make_unique<TilePixels>();
+    TileJob job;
     for (int tile = 1; tile <= 12; ++tile) {
-        const auto job = queue.next();
-        EXPECT_EQ(queue.progress(1), float((tile - 1) / 12.0)); // handed out is not finished
-        queue.done(*job, *pixels);
-        EXPECT_EQ(queue.progress(1), float(tile / 12.0));
+        ASSERT_TRUE(queue.next(job));
+        EXPECT_EQ(queued->progress(), float((tile - 1) / 12.0)); // handed out is not finished
+        EXPECT_EQ(queued->status(), FrameStatus::Rendering);
+        queue.done(job, *pixels);
+        EXPECT_EQ(queued->progress(), float(tile / 12.0));
     }
-    EXPECT_EQ(queue.progress(99), 1.0f); // unknown
+    EXPECT_EQ(queued->status(), FrameStatus::Done);
 }
 
 TEST(FrameQueue, ProgressSeenFromAnotherThreadNeverFalls) {
@@ -239,55 +199,150 @@ TEST(FrameQueue, ProgressSeenFromAnotherThreadNeverFalls) {
     Team team(3, queue, tracer);
     for (uint64_t id = 1; id <= 5; ++id) {
         TestFrame f(id, 300, 300);
-        queue.submit(f.frame);
+        const QueuedFramePtr queued = submit(queue, f);
         float last = 0;
+        FrameStatus status = FrameStatus::Queued;
         while (last < 1.0f) {
-            const float now = queue.progress(id);
+            const float now = queued->progress();
             ASSERT_GE(now, last);
             last = now;
+            const FrameStatus next = queued->status();
+            ASSERT_GE(int(next), int(status));
+            status = next;
         }
-        queue.wait(id);
-        EXPECT_TRUE(complete(f));
+        queued->wait();
+        EXPECT_TRUE(isComplete(f));
     }
 }
 
-TEST(FrameQueue, FramesWithoutPixelsAreCompleteAtOnce) {
-    FrameQueue queue(1);
-    for (uint64_t id = 1; id <= 3; ++id) {
-        TestFrame empty(id, 0, id == 2 ? 5 : 0);
-        queue.submit(empty.frame);
-        queue.wait(id); // nobody works here
-        EXPECT_EQ(queue.progress(id), 1.0f);
-    }
-    // Behind a frame that is still rendered, they keep their place.
-    FrameQueue two(2);
-    TestFrame full(1, 8, 8), empty(2, 0, 0);
-    two.submit(full.frame);
-    two.submit(empty.frame);
-    const auto job = two.next();
-    two.done(*job, *std::make_unique<TilePixels>());
-    two.wait(2);
-    two.close();
-    EXPECT_FALSE(two.next());
+TEST(FrameQueue, FramesWithoutPixelsKeepTheirPlace) {
+    FrameQueue queue(4);
+    TestFrame none(1, 0, 0), full(2, 8, 8), flat(3, 0, 5);
+    const QueuedFramePtr a = submit(queue, none), b = submit(queue, full), c = submit(queue, flat);
+    TileJob job;
+    ASSERT_TRUE(queue.next(job)); // frames end where their queue is worked on
+    EXPECT_EQ(a->status(), FrameStatus::Done);
+    EXPECT_FALSE(c->ended());
+    queue.done(job, *std::make_unique<TilePixels>());
+    EXPECT_EQ(b->wait(), FrameStatus::Done);
+    EXPECT_EQ(c->wait(), FrameStatus::Done);
+    queue.close();
+    EXPECT_FALSE(queue.next(job));
 }
 
-TEST(FrameQueue, LetsGoOfFramesThatAreComplete) {
+TEST(FrameQueue, LetsGoOfFramesThatHaveEnded) {
     FrameQueue queue(2);
     std::weak_ptr<Frame> watch;
+    QueuedFramePtr queued;
     {
         TestFrame f(1, 10, 10);
         watch = f.frame;
-        queue.submit(f.frame);
+        queued = submit(queue, f);
         queue.close();
         work(queue, FakeTracer());
-        queue.wait(1);
     }
+    EXPECT_EQ(queued->status(), FrameStatus::Done);
     EXPECT_TRUE(watch.expired());
     queue.open();
     TestFrame again(2, 10, 10);
-    queue.submit(again.frame);
-    EXPECT_TRUE(queue.next());
+    submit(queue, again);
+    TileJob job;
+    EXPECT_TRUE(queue.next(job));
+}
+
+// The memory of frames in flight is never written by two of them, and the last one wins.
+TEST(FrameQueue, AFrameWaitsForTheOneWhoseMemoryItWritesTo) {
+    TestFrame first(1, 64, 32), second(2, 64, 32), other(3, 64, 32);
+    second.frame->target.memory = first.memory.data() + 4 * 64 * 31; // one row in common
+    second.frame->target.height = 1;
+    FrameQueue queue(3);
+    submit(queue, first);
+    const QueuedFramePtr blocked = submit(queue, second);
+    submit(queue, other);
+    const auto pixels = std::make_unique<TilePixels>();
+    TileJob jobs[4];
+    for (TileJob& job : jobs) ASSERT_TRUE(queue.next(job));
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(jobs[i].frame->id, i < 2 ? 1u : 3u);
+    queue.done(jobs[3], *pixels);
+    queue.done(jobs[0], *pixels);
+    EXPECT_EQ(blocked->status(), FrameStatus::Queued);
+    queue.done(jobs[1], *pixels);
+    ASSERT_TRUE(queue.next(jobs[0]));
+    EXPECT_EQ(jobs[0].frame->id, 2u);
+}
+
+TEST(FrameQueue, AuxiliaryBuffersAreMemoryToo) {
+    std::vector<float> depth(32 * 32);
+    for (const bool shared : {false, true}) {
+        TestFrame first(1, 32, 32), second(2, 32, 32);
+        first.frame->target.aux.depth = depth.data();
+        if (shared) second.frame->target.aux.distance = depth.data();
+        FrameQueue queue(2);
+        submit(queue, first);
+        const QueuedFramePtr queued = submit(queue, second);
+        TileJob a, b;
+        ASSERT_TRUE(queue.next(a));
+        queue.close();
+        EXPECT_EQ(queue.next(b), !shared);
+    }
+}
+
+TEST(FrameQueue, ManyFramesInOneMemoryByManyThreads) {
+    TestFrame base(0, 100, 70);
+    FakeTracer tracer;
+    FrameQueue queue(5);
+    Team team(4, queue, tracer);
+    for (uint64_t id = 1; id <= 200; ++id) {
+        const auto frame = std::make_shared<Frame>();
+        frame->id = id;
+        frame->target = base.frame->target;
+        queue.submit(queue.prepare(frame));
+        if (id % 50 != 0) continue;
+        queue.waitAll();
+        EXPECT_TRUE(isComplete(base.memory, 100, id));
+    }
+}
+
+// While the queue holds a frame no worker waits, whatever the number of frames.
+TEST(FrameQueue, WorkersAreBusyWhileTheQueueHoldsFrames) {
+    double best = 1.0;
+    for (int attempt = 0; attempt < 25 && best >= 0.01; ++attempt) { // others may want the cores
+        constexpr uint64_t kFrames = 30;
+        FakeTracer tracer([](const Frame&, const Tile&) {
+            const auto end = std::chrono::steady_clock::now() + 100us;
+            while (std::chrono::steady_clock::now() < end) {
+            }
+        });
+        std::vector<TestFrame> frames;
+        for (uint64_t id = 0; id < kFrames; ++id) frames.emplace_back(id, 128, 128);
+        FrameQueue queue(kFrames);
+        std::vector<QueuedFramePtr> queued;
+        for (const TestFrame& f : frames) queued.push_back(submit(queue, f));
+        {
+            Team team(2, queue, tracer);
+            queue.waitAll();
+        }
+        RenderStatistics sum;
+        for (std::size_t i = 0; i < kFrames; ++i) sum += queued[i]->statistics();
+        EXPECT_GE(sum.busyNanoseconds, kFrames * 16 * 100000);
+        const double idle = double(sum.idleNanoseconds);
+        best = std::min(best, idle / (idle + double(sum.busyNanoseconds)));
+    }
+    EXPECT_LT(best, 0.01);
+}
+
+// The control of the trace: an application that lets the queue run dry is seen.
+TEST(FrameQueue, TheTraceShowsWorkersThatWait) {
+    FakeTracer tracer;
+    FrameQueue queue(2);
+    Team team(1, queue, tracer);
+    TestFrame first(1, 32, 32), second(2, 32, 32);
+    submit(queue, first)->wait();
+    std::this_thread::sleep_for(30ms);
+    const QueuedFramePtr late = submit(queue, second);
+    late->wait();
+    EXPECT_GT(late->statistics().idleNanoseconds, 20000000u);
 }
 
 } // namespace
-} // namespace smart
+} // namespace smart::test

@@ -118,7 +118,7 @@ TEST(PacketTracer, FailingCameraShaderCostsItsPixels) {
     Picture picture(40, 40, makeScene({}), {});
     picture.frame->clearColor = glm::vec4(0.25f);
     picture.frame->camera = makeCamera([](float x, float y, RTScameraray* ray) {
-        *ray = {{x, y, 0}, {0, 0, -1}, 0, kInf};
+        *ray = {{x, y, 0}, {0, 0, -1}, 0, kInf, nullptr};
         return x < 0.5f ? 0 : 1;
     });
     EXPECT_EQ(renderHere(picture).badPixels, 800u);

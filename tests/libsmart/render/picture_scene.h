@@ -174,11 +174,12 @@ struct Picture {
 /// Renders on this thread, tile after tile; returns what was counted.
 inline RenderStatistics renderHere(const Picture& picture) {
     FrameQueue queue(1);
-    queue.submit(picture.frame);
+    const QueuedFramePtr queued = queue.prepare(picture.frame);
+    queue.submit(queued);
     queue.close();
     work(queue, PacketTracer());
-    queue.wait(picture.frame->id);
-    return queue.statistics();
+    if (queued->wait() == FrameStatus::Failed) std::rethrow_exception(queued->takeError());
+    return queued->statistics();
 }
 
 } // namespace smart::test

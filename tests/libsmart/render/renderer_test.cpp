@@ -39,13 +39,14 @@ TEST(Renderer, SubmitReturnsWhileTheFrameIsStillTraced) {
                         return 0;
                     })});
     Renderer renderer(2);
-    renderer.submit(picture.frame);
+    const QueuedFramePtr queued = renderer.prepare(picture.frame);
+    renderer.submit(queued);
     EXPECT_FALSE(finished); // every ray that hits waits for what comes next
-    EXPECT_LT(renderer.progress(1), 1.0f);
+    EXPECT_LT(queued->progress(), 1.0f);
     go.count_down();
-    renderer.wait(1);
+    EXPECT_EQ(queued->wait(), FrameStatus::Done);
     EXPECT_TRUE(finished);
-    EXPECT_EQ(renderer.progress(1), 1.0f);
+    EXPECT_EQ(queued->progress(), 1.0f);
     EXPECT_EQ(picture.at(32, 32), glm::vec4(1));
 }
 
@@ -63,8 +64,8 @@ TEST(Renderer, TheSameBitsForAnyNumberOfThreads) {
         renderer.setThreads(threads);
         EXPECT_EQ(renderer.threads(), threads);
         Picture picture(333, 211, scene, {shader});
-        renderer.submit(picture.frame);
-        renderer.wait(1);
+        renderer.submit(renderer.prepare(picture.frame));
+        renderer.waitAll();
         EXPECT_EQ(picture.pixels, alone.pixels) << threads;
         EXPECT_EQ(picture.distance, alone.distance) << threads;
         const RenderStatistics now = renderer.statistics();
@@ -86,7 +87,7 @@ TEST(Renderer, QueuedFramesAreFinishedBeforeItsEnd) {
     }
     {
         Renderer renderer(3);
-        for (const Picture& picture : pictures) renderer.submit(picture.frame);
+        for (const Picture& picture : pictures) renderer.submit(renderer.prepare(picture.frame));
     }
     for (const Picture& picture : pictures) EXPECT_EQ(picture.pixels, pictures[0].pixels);
     EXPECT_NE(pictures[0].pixels[0], glm::vec4(-1.0f));
@@ -99,17 +100,25 @@ TEST(Renderer, ZeroThreadsMeansAllCores) {
     EXPECT_EQ(renderer.threads(), Renderer().threads());
 }
 
-TEST(Renderer, WaitingForUnknownFramesReturnsAtOnce) {
-    Renderer renderer(1);
-    renderer.wait(12345);
-    EXPECT_EQ(renderer.progress(12345), 1.0f);
+TEST(Renderer, ChangingTheThreadsWaitsForFramesInFlight) {
+    const ScenePtr scene = sphereScene();
+    Picture first(200, 200, scene, {busyShader()}), second(200, 200, scene, {busyShader()});
+    Renderer renderer(2);
+    renderer.setDepth(5);
+    EXPECT_EQ(renderer.depth(), 5u);
+    const QueuedFramePtr a = renderer.prepare(first.frame), b = renderer.prepare(second.frame);
+    renderer.submit(a);
+    renderer.submit(b);
+    renderer.setThreads(1);
+    EXPECT_TRUE(a->ended() && b->ended());
+    EXPECT_EQ(first.pixels, second.pixels);
 }
 
 TEST(Renderer, PicturesWithoutPixels) {
     Renderer renderer(2);
     Picture empty(0, 7, sphereScene(), {busyShader()});
-    renderer.submit(empty.frame);
-    renderer.wait(1);
+    renderer.submit(renderer.prepare(empty.frame));
+    renderer.waitAll();
     EXPECT_EQ(renderer.statistics().primaryRays, 0u);
 }
 

@@ -61,6 +61,87 @@ TEST(RenderingObject, PixelsAreWhatTheObjectSays) {
     EXPECT_EQ(picture.instances[18 * 40 + 20], kNoId); // no ray was asked for
 }
 
+TEST(RenderingObject, VisitsWhatACameraRayMeetsWithoutShadingIt) {
+    const auto look = [](RTSpixel* pixel, float* rgba) {
+        RTSstate* state = pixel->visit(pixel, 0.5f, 0.5f);
+        if (!state) return rgba[0] = -1.0f, 0;
+        // Rays start there as in a surface shader: they leave the sphere.
+        RTShitinfo behind;
+        EXPECT_EQ(rtsTraceHit(state, state->position, state->geometricNormal, &behind), 1);
+        EXPECT_EQ(behind.instance, 0xFFFFFFFFu);
+        rgba[0] = state->position[0];
+        rgba[1] = state->position[1];
+        rgba[2] = state->shadingNormal[2];
+        return 0;
+    };
+    const Picture plain = makePicture({}), visited = makePicture(look);
+    EXPECT_EQ(renderHere(plain).primaryRays, renderHere(visited).primaryRays);
+    EXPECT_EQ(plain.distance, visited.distance);
+    EXPECT_EQ(plain.primitives, visited.primitives);
+    for (std::size_t i = 0; i < plain.pixels.size(); ++i) {
+        if (plain.instances[i] == 0xFFFFFFFFu) {
+            EXPECT_EQ(visited.pixels[i].r, -1.0f);
+        } else {
+            EXPECT_EQ(glm::vec3(plain.pixels[i]), glm::vec3(visited.pixels[i]));
+        }
+    }
+}
+
+TEST(RenderingObject, FlagsReachWhatTheRayGivesRiseTo) {
+    const auto flagsSeen = [](RTuint flags) {
+        Picture picture = makePicture([=](RTSpixel* pixel, float* rgba) {
+            pixel->traceWith(pixel, 0.5f, 0.5f, flags, rgba);
+            return 0;
+        });
+        const auto flagsOf = [](RTSstate* s) {
+            float away[3] = {-s->rayDirection[0], -s->rayDirection[1], -s->rayDirection[2]};
+            float radiance[3];
+            rtsTraceRay(s, s->position, away, 1.0f, radiance);
+            rtsResultColor(s, float(rtsIndirect(s)), radiance[1], 0);
+            return 0;
+        };
+        picture.frame->shaders = std::make_shared<const ShaderTable>(
+            ShaderTable{makeSurface(flagsOf)});
+        picture.frame->environment = makeEnvironment([](RTSstate* s) {
+            rtsResultColor(s, 0, 1 + float(rtsIndirect(s)), 0);
+            return 0;
+        });
+        renderHere(picture);
+        return glm::vec2(picture.at(20, 18));
+    };
+    EXPECT_EQ(flagsSeen(0), glm::vec2(0, 1));
+    EXPECT_EQ(flagsSeen(RTS_INDIRECT), glm::vec2(1, 2));
+    EXPECT_EQ(flagsSeen(RTS_STOPPED), glm::vec2(0, 0)); // and no ray goes on
+}
+
+TEST(RenderingObject, CamerasDrawNumbersBeforeTheirRays) {
+    // The camera's number is the first of its sample, the surface's the second; the neighbours
+    // that the cone is taken from draw none.
+    Picture picture = makePicture({});
+    picture.frame->camera = makeCamera([](float x, float y, RTScameraray* ray) {
+        const float number = rtsRandom(ray->state);
+        // Of the pixel itself, or of a neighbour's ray that belongs to it.
+        EXPECT_NEAR(float(ray->state->pixel[0]) + 1.0f, x * 40, 0.51f);
+        EXPECT_NEAR(float(ray->state->pixel[1]) + 1.0f, y * 36, 0.51f);
+        EXPECT_EQ(ray->state->instance, 0xFFFFFFFFu);
+        ray->origin[2] = number;
+        ray->direction[2] = -1.0f;
+        return 0;
+    });
+    picture.frame->shaders = std::make_shared<const ShaderTable>(
+        ShaderTable{makeSurface([](RTSstate* s) {
+            rtsResultColor(s, s->rayOrigin[2], rtsRandom(s), 0);
+            return 0;
+        })});
+    renderHere(picture);
+    for (uint32_t y = 0; y < 36; ++y)
+        for (uint32_t x = 0; x < 40; ++x) {
+            RandomStream numbers(x, y, 0, 0);
+            const float first = numbers.next(), second = numbers.next();
+            ASSERT_EQ(glm::vec2(picture.at(x, y)), glm::vec2(first, second));
+        }
+}
+
 TEST(RenderingObject, FaultsCostOnePixelEach) {
     const auto badPixels = [](RenderPixel object) {
         const Picture picture = makePicture(std::move(object));

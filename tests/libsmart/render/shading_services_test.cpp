@@ -39,12 +39,19 @@ struct Stage {
         shaders.push_back(std::move(shader));
     }
     ShadedSample look(glm::vec3 from = {0.5f, 0.25f, 10.0f}, glm::vec3 along = {0, 0, -1}) {
-        frame.scene = makeScene(instances);
-        frame.shaders = std::make_shared<const ShaderTable>(shaders);
-        ShadingServices services(frame, counts);
-        services.beginSample(0, 0, 0);
+        Frame frozen; // a frame does not change once it is asked: each look is another one
+        frozen.scene = makeScene(instances);
+        frozen.shaders = std::make_shared<const ShaderTable>(shaders);
+        frozen.textures = frame.textures;
+        frozen.lights = frame.lights;
+        frozen.environment = frame.environment;
+        frozen.clearColor = frame.clearColor;
+        frozen.recursionLimit = frame.recursionLimit;
+        frozen.weightCutoff = frame.weightCutoff;
+        ShadingServices services(frozen, counts);
+        PixelSample sample(0, 0, 0, 0);
         return services.traceCameraRay(
-            {{from.x, from.y, from.z}, {along.x, along.y, along.z}, 0.0f, kInf});
+            {{from.x, from.y, from.z}, {along.x, along.y, along.z}, 0.0f, kInf}, {&sample});
     }
 };
 
@@ -252,6 +259,30 @@ TEST(ShadingServices, HitsWithoutShading) {
     EXPECT_EQ(down.distance, kInf);
     EXPECT_EQ(down.object, kNoId);
     EXPECT_EQ(stage.counts.secondaryRays, 2u);
+}
+
+TEST(ShadingServices, StoppedPointsSendNoRays) {
+    Stage stage([](RTSstate* s) {
+        const float up[3] = {0, 0, 1};
+        float before[3], after[3], left[3];
+        RTShitinfo hit;
+        EXPECT_EQ(rtsTraceRay(s, s->position, up, 1.0f, before), 1);
+        EXPECT_EQ(before[0], 7.0f);
+        rtsStopRayRecursion(s);
+        EXPECT_EQ(rtsTraceRay(s, s->position, up, 1.0f, after), 0);
+        EXPECT_EQ(after[0], 0.0f);
+        EXPECT_EQ(rtsTraceHit(s, s->position, up, &hit), 0);
+        EXPECT_EQ(hit.distance, kInf);
+        EXPECT_EQ(rtsShadow(s, s->position, up, 1.0f, left), 0);
+        EXPECT_EQ(left[0], 0.0f);
+        return 0;
+    });
+    stage.add(rectangle(-1, -1, 1, 1, 3), makeSurface([](RTSstate* s) {
+                  EXPECT_EQ(s->flags, 0u);
+                  return constant(7, 7, 7)(s);
+              }));
+    EXPECT_FALSE(stage.look({0.5f, 0.25f, 2.0f}).bad);
+    EXPECT_EQ(stage.counts.secondaryRays, 1u);
 }
 
 TEST(ShadingServices, LightsAnswerWithAUnitDirectionOrNotAtAll) {

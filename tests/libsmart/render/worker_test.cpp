@@ -52,8 +52,8 @@ TEST(Worker, ThreadsAreNamedTakeNoSignalsAndRoundToNearest) {
         auto frame = std::make_shared<Frame>();
         frame->id = 1;
         frame->target = {memory.data(), 400, 400, PixelFormat::Rgb32f, 0, false, {}};
-        queue.submit(std::move(frame));
-        queue.wait(1);
+        queue.submit(queue.prepare(std::move(frame)));
+        queue.waitAll();
         queue.close();
     }
     std::fesetround(FE_TONEAREST);
@@ -66,6 +66,30 @@ TEST(Worker, ThreadsAreNamedTakeNoSignalsAndRoundToNearest) {
     pthread_sigmask(SIG_SETMASK, nullptr, &after);
     for (int signal = 1; signal < 32; ++signal)
         EXPECT_EQ(sigismember(&before, signal), sigismember(&after, signal)) << signal;
+}
+
+TEST(Worker, ThreadsKnowWhatTheyAre) {
+    EXPECT_FALSE(onWorkerThread());
+    class Asking final : public Tracer {
+    public:
+        void render(const Frame&, const Tile&, TilePixels& pixels) const override {
+            pixels = TilePixels();
+            pixels.badPixels = onWorkerThread() ? 0 : 1;
+        }
+    } asking;
+    FrameQueue queue(1);
+    auto frame = std::make_shared<Frame>();
+    frame->target.width = frame->target.height = 8;
+    {
+        ThreadTeam team(1, queue, asking);
+        queue.submit(queue.prepare(frame));
+        queue.waitAll();
+        queue.close();
+    }
+    EXPECT_EQ(queue.statistics().badPixels, 0u);
+    queue.submit(queue.prepare(frame));
+    work(queue, asking); // the same loop on this thread
+    EXPECT_EQ(queue.statistics().badPixels, 1u);
 }
 
 TEST(Worker, ThereIsACore) {

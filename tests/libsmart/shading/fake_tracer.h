@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -21,10 +22,12 @@ struct FakeTracer {
     int mayTrace = 1;
     std::map<RTuint, std::array<float, 4>> textures;
     std::array<float, 3> environmentAt[2] = {}; ///< of directions with y >= 0, y < 0
+    std::function<float()> nextRandom = [] { return 0.5f; };
     // What the shader asked.
     int shadowRays = 0, tracedRays = 0;
     std::array<float, 3> tracedDirection{};
     float tracedWeight = 0;
+    std::vector<std::array<float, 3>> directions; ///< of traced and shadow rays
 
     RTSstate state{};
 
@@ -68,6 +71,7 @@ private:
         ++self.tracedRays;
         self.tracedWeight = weight;
         std::copy_n(d, 3, self.tracedDirection.begin());
+        self.directions.push_back(self.tracedDirection);
         std::copy_n(self.traced.begin(), 3, radiance);
         return self.mayTrace;
     }
@@ -75,8 +79,9 @@ private:
         *hit = {};
         return 0;
     }
-    static int shadow(RTSstate* s, const float*, const float*, float, float attenuation[3]) {
+    static int shadow(RTSstate* s, const float*, const float d[3], float, float attenuation[3]) {
         ++of(s).shadowRays;
+        of(s).directions.push_back({d[0], d[1], d[2]});
         std::copy_n(of(s).shadowAttenuation.begin(), 3, attenuation);
         return 1;
     }
@@ -93,7 +98,7 @@ private:
     static void environment(RTSstate* s, const float d[3], float radiance[3]) {
         std::copy_n(of(s).environmentAt[d[1] < 0].begin(), 3, radiance);
     }
-    static float random(RTSstate*) { return 0.5f; }
+    static float random(RTSstate* s) { return of(s).nextRandom(); }
 };
 
 template <class T>

@@ -66,6 +66,20 @@ TEST(SurfacePointTest, PositionsAndWeightsAreBarycentric) {
     EXPECT_EQ(f.fill(0.25f, 0.5f).frontFace, 0u);
 }
 
+TEST(SurfacePointTest, DensityOfTextureCoordinates) {
+    Fixture f;
+    EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0) << "none given";
+    f.instances[0].inherited.texCoord = {0.5f, 0.5f, 0, 1};
+    EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0) << "inherited: the same everywhere";
+    f.model.shading.firstTexCoord = 0;
+    f.model.shading.texCoords = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 8, 0, 1}};
+    EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 1) << "16 in texture space, 16 in the world";
+    f.instances[0].toParent = glm::dmat4x3(glm::scale(glm::dmat4(1.0), glm::dvec3(4, 1, 1)));
+    EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0.5f);
+    f.model.shading.texCoords = {{1, 1, 0, 1}, {2, 2, 0, 1}, {3, 3, 0, 1}};
+    EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0) << "no area in texture space";
+}
+
 TEST(SurfacePointTest, AttributesAreInterpolated) {
     Fixture f;
     f.model.shading.firstTexCoord = f.model.shading.firstColor = f.model.shading.firstNormal = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights, cameras and environments against their formulas.
+// Lights without extent and environments against their formulas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,26 +92,6 @@ TEST(LightsTest, DirectionalLightsAreTheSameEverywhere) {
     }
     const auto nowhere = MadeShader("DirectionalLight").set("direction", Vec3()).make();
     EXPECT_EQ(illuminate(*nowhere, {}, s), 0);
-}
-
-TEST(CamerasTest, PinholeAndOrthographicRays) {
-    RTScameraray ray;
-    const auto pinhole = MadeShader("PinholeCameraShader")
-                             .set("origin", Vec3(1, 2, 3))
-                             .set("lowerLeft", Vec3(-2, -1, -5))
-                             .set("horizontal", Vec3(4, 0, 0))
-                             .set("vertical", Vec3(0, 2, 1))
-                             .make();
-    ASSERT_EQ(pinhole->functions().cameraRay(pinhole->block(), 0.25f, 0.5f, &ray), 0);
-    EXPECT_EQ(Vec3(ray.origin), Vec3(1, 2, 3));
-    EXPECT_EQ(Vec3(ray.direction), Vec3(-1, 0, -4.5f));
-    EXPECT_EQ(ray.tnear, 0);
-    EXPECT_EQ(ray.tfar, std::numeric_limits<float>::infinity());
-    const auto parallel =
-        MadeShader("Orthographic").set("direction", Vec3(0, -1, 0)).make();
-    ASSERT_EQ(parallel->functions().cameraRay(parallel->block(), 1, 0.5f, &ray), 0);
-    EXPECT_EQ(Vec3(ray.origin), Vec3(1, 0, 0));
-    EXPECT_EQ(Vec3(ray.direction), Vec3(0, -1, 0));
 }
 
 TEST(EnvironmentsTest, ConstantIsTheSameInAllDirections) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "openrt/shader.hpp"
 #include "tests/libsmart/shading/fake_tracer.h"
@@ -12,12 +13,9 @@ namespace smart {
 namespace {
 
 using openrt::Color;
-using openrt::Vec4;
 using test::FakeTracer;
 using test::MadeShader;
 using Rgba = std::array<float, 4>;
-
-constexpr double kPi = 3.14159265358979323846;
 
 RTSlightsample light(double x, double y, double z, float r, float g, float b) {
     const double length = std::sqrt(x * x + y * y + z * z);
@@ -140,137 +138,83 @@ TEST(SurfacesTest, NoLightReachesThroughTheTrianglesPlane) {
     EXPECT_EQ(tracer.shadowRays, 0);
 }
 
-// Metallic-roughness --------------------------------------------------------------------------
-
-/// Appendix B of the glTF 2.0 specification as written there, times pi and the cosine.
-double gltf(double base, double metallic, double roughness, double nl, double nv, double nh,
-            double vh) {
-    const double a = roughness * roughness, a2 = a * a;
-    const double diffuseColor = base * (1 - metallic), f0 = 0.04 * (1 - metallic) + base * metallic;
-    const double f = f0 + (1 - f0) * std::pow(1 - vh, 5);
-    const double d = a2 / (kPi * std::pow(nh * nh * (a2 - 1) + 1, 2));
-    const double g = 2 * nl / (nl + std::sqrt(a2 + (1 - a2) * nl * nl)) * 2 * nv /
-                     (nv + std::sqrt(a2 + (1 - a2) * nv * nv));
-    const double brdf = (1 - f) / kPi * diffuseColor + f * g * d / (4 * nl * nv);
-    return kPi * brdf * nl;
-}
-
-TEST(MetallicRoughnessTest, FollowsGltf) {
-    for (const float metallic : {0.0f, 0.3f, 1.0f})
-        for (const float roughness : {0.1f, 0.5f, 1.0f})
-            for (const double tilt : {0.1, 0.7, 1.3}) {
-                FakeTracer tracer;
-                tracer.setRay(0.6f, 0, -0.8f);
-                const double l[3] = {std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, std::cos(tilt)};
-                tracer.lights = {light(l[0], l[1], l[2], 1, 1, 2)};
-                const double v[3] = {-0.6, 0, 0.8};
-                double h[3], length = 0;
-                for (int k = 0; k < 3; ++k) h[k] = l[k] + v[k], length += h[k] * h[k];
-                length = std::sqrt(length);
-                const double vh = (h[0] * v[0] + h[2] * v[2]) / length, nh = h[2] / length;
-                const auto shader = MadeShader("MetallicRoughness")
-                                        .set("baseColor", Vec4(0.8f, 0.5f, 0.1f, 1))
-                                        .set("metallic", metallic)
-                                        .set("roughness", roughness)
-                                        .make();
-                const Rgba got = tracer.shade(*shader);
-                const double base[3] = {0.8, 0.5, 0.1}, radiance[3] = {1, 1, 2};
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const double wanted = radiance[k] * gltf(base[k], metallic, roughness, l[2],
-                                                             0.8, nh, vh);
-                    EXPECT_NEAR(got[k], wanted, 2e-5 * (wanted + 0.01))
-                        << metallic << " " << roughness << " " << tilt;
-                }
-            }
-}
-
-TEST(MetallicRoughnessTest, TheHighlightsMiddleIsExactForSmoothSurfaces) {
+TEST(SurfacesTest, IndirectLightStandsInThePlaceOfAmbientLight) {
     FakeTracer tracer;
-    tracer.lights = {light(0, 0, 1, 1, 1, 1)};
-    const auto shader =
-        MadeShader("MetallicRoughness").set("roughness", 0.0f).make(); // taken as 0.04
-    const double wanted = gltf(1, 1, 0.04, 1, 1, 1, 1);
-    EXPECT_NEAR(tracer.shade(*shader)[0] / wanted, 1, 1e-4);
+    tracer.state.flags = RTS_INDIRECT;
+    tracer.traced = {2, 4, 8};
+    tracer.textures[1] = {0.5f, 1, 0.25f, 1};
+    expectNear(tracer.shade(*MadeShader("DiffuseShader").set("color", Color(0.5f, 1, 1)).make()),
+               {1, 4, 8});
+    expectNear(tracer.shade(*MadeShader("TexturedDiffuseShader")
+                                 .set("texture", 1)
+                                 .set("radiance", Color(9.0f))
+                                 .make()),
+               {1, 4, 2});
+    expectNear(tracer.shade(*phong().set("texture", 1).make()), {0.5, 2, 1 + 1});
+    EXPECT_EQ(tracer.tracedRays, 3);
 }
 
-TEST(MetallicRoughnessTest, TexturesAndTheCurrentColourMultiply) {
+TEST(SurfacesTest, DiffuseDirectionsFollowTheCosine) {
     FakeTracer tracer;
-    tracer.textures[1] = {0.5f, 0.5f, 0.5f, 1};
-    tracer.textures[2] = {9, 1, 0, 9}; // roughness times 1, metallic times 0
-    tracer.textures[3] = {0.25f, 0.5f, 1, 1};
-    tracer.state.color[0] = 0.5f;
-    tracer.lights = {light(0, 0, 1, 1, 1, 1)};
-    const auto shader = MadeShader("MetallicRoughness")
-                            .set("baseColorTexture", 1)
-                            .set("metallicRoughnessTexture", 2)
-                            .set("emissiveTexture", 3)
-                            .set("emissive", Color(2.0f))
-                            .make();
-    expectNear(tracer.shade(*shader), {gltf(0.25, 0, 1, 1, 1, 1, 1) + 0.5,
-                                       gltf(0.5, 0, 1, 1, 1, 1, 1) + 1,
-                                       gltf(0.5, 0, 1, 1, 1, 1, 1) + 2});
-    EXPECT_EQ(tracer.shadowRays, 1);
-    tracer.shadowAttenuation = {0, 0, 0};
-    expectNear(tracer.shade(*shader), {0.5, 1, 2});
-}
-
-TEST(MetallicRoughnessTest, TheEnvironmentIsAmbientLight) {
-    FakeTracer tracer; // the normal has y = 0, so both directions look at the upper half
-    tracer.environmentAt[0] = {1, 2, 4};
-    const auto dielectric = MadeShader("MetallicRoughness")
-                                .set("baseColor", Vec4(0.5f, 0.5f, 0.5f, 1))
-                                .set("metallic", 0.0f)
-                                .make();
-    expectNear(tracer.shade(*dielectric), {0.54, 2 * 0.54, 4 * 0.54});
-    EXPECT_EQ(tracer.tracedRays, 0);
-    tracer.traced = {8, 8, 8};
-    const auto mirror = MadeShader("MetallicRoughness").set("roughness", 0.0f).make();
-    expectNear(tracer.shade(*mirror), {8, 8, 8});
-    EXPECT_EQ(tracer.tracedRays, 1);
-    const auto half = MadeShader("MetallicRoughness").set("roughness", 0.15f).make();
-    expectNear(tracer.shade(*half), {4.5, 5, 6});
-}
-
-TEST(MetallicRoughnessTest, AlphaModes) {
-    FakeTracer tracer;
-    tracer.traced = {8, 8, 8};
-    const auto made = [](int mode, float alpha) {
-        return MadeShader("MetallicRoughness")
-            .set("baseColor", Vec4(0, 0, 0, alpha))
-            .set("emissive", Color(1.0f))
-            .set("alphaMode", mode)
-            .make();
-    };
-    const auto transparency = [&](const ShaderObject& shader) {
-        float rgb[3] = {-1, -1, -1};
-        EXPECT_EQ(shader.functions().transparency(shader.block(), &tracer.state, rgb), 0);
-        return rgb[0];
-    };
-    EXPECT_EQ(tracer.shade(*made(0, 0.25f))[0], 1); // opaque
-    EXPECT_EQ(transparency(*made(0, 0.25f)), 0);
-    EXPECT_EQ(tracer.shade(*made(1, 0.49f))[0], 8); // mask: through
-    EXPECT_EQ(tracer.tracedDirection[2], -1);
-    EXPECT_EQ(transparency(*made(1, 0.49f)), 1);
-    EXPECT_EQ(tracer.shade(*made(1, 0.5f))[0], 1);
-    EXPECT_EQ(transparency(*made(1, 0.5f)), 0);
-    EXPECT_EQ(tracer.shade(*made(2, 0.25f))[0], 0.25f + 0.75f * 8); // blend
-    EXPECT_EQ(transparency(*made(2, 0.25f)), 0.75f);
-}
-
-TEST(MetallicRoughnessTest, SingleSidedSurfacesAreSeenFromTheirNormalsSideOnly) {
-    FakeTracer tracer;
-    tracer.traced = {8, 8, 8};
-    const auto shader = MadeShader("MetallicRoughness")
-                            .set("baseColor", Vec4(0, 0, 0, 1))
-                            .set("emissive", Color(1.0f))
-                            .set("metallic", 0.0f)
-                            .set("doubleSided", 0)
-                            .make();
-    EXPECT_EQ(tracer.shade(*shader)[0], 1);
+    std::mt19937 generator(5);
+    tracer.nextRandom = [&] { return float(generator() >> 8) * 0x1p-24f; };
+    tracer.state.flags = RTS_INDIRECT;
+    tracer.setNormal(0.6f, 0, -0.8f);
     tracer.setRay(0, 0, 1);
-    EXPECT_EQ(tracer.shade(*shader)[0], 8);
-    for (float& n : tracer.state.shadingNormal) n = -n; // a mirrored instance: winding turned
-    EXPECT_EQ(tracer.shade(*shader)[0], 1);
+    const auto shader = MadeShader("DiffuseShader").make();
+    const int count = 20000;
+    for (int i = 0; i < count; ++i) tracer.shade(*shader);
+    // Means of the cosine, its square and the two other coordinates: 2/3, 1/2, 0, 0.
+    double cosine = 0, squared = 0, across = 0, y = 0;
+    for (const auto& d : tracer.directions) {
+        const double z = 0.6 * d[0] - 0.8 * d[2];
+        ASSERT_GT(z, 0);
+        cosine += z / count;
+        squared += z * z / count;
+        across += (0.8 * d[0] + 0.6 * d[2]) / count;
+        y += d[1] / count;
+    }
+    const double sigma = 1 / std::sqrt(double(count));
+    EXPECT_NEAR(cosine, 2.0 / 3, 4 * 0.24 * sigma);
+    EXPECT_NEAR(squared, 0.5, 4 * 0.29 * sigma);
+    EXPECT_NEAR(across, 0, 4 * 0.5 * sigma);
+    EXPECT_NEAR(y, 0, 4 * 0.5 * sigma);
+}
+
+TEST(SurfacesTest, PathsOfSmallWeightEndByChanceAndCountAsMuchMore) {
+    FakeTracer tracer;
+    tracer.state.flags = RTS_INDIRECT;
+    tracer.state.weight = 0.5f;
+    tracer.traced = {1, 1, 1};
+    const auto shader = MadeShader("DiffuseShader").set("color", Color(0.125f)).make();
+    // The share 1/16 goes on with probability 1/4: the numbers are those of the direction, then
+    // of the roulette.
+    std::vector<float> numbers;
+    std::size_t next = 0;
+    tracer.nextRandom = [&] { return numbers[next++ % numbers.size()]; };
+    numbers = {0.5f, 0.5f, 0.24f};
+    EXPECT_EQ(tracer.shade(*shader)[0], 0.5f);
+    EXPECT_EQ(tracer.tracedWeight, 0.25f);
+    numbers = {0.5f, 0.5f, 0.26f};
+    next = 0;
+    EXPECT_EQ(tracer.shade(*shader)[0], 0);
+    EXPECT_EQ(tracer.tracedRays, 1);
+}
+
+TEST(SurfacesTest, NoRandomDirectionLeadsBehindTheTriangle) {
+    FakeTracer tracer;
+    std::mt19937 generator(6);
+    tracer.nextRandom = [&] { return float(generator() >> 8) * 0x1p-24f; };
+    tracer.state.flags = RTS_INDIRECT;
+    tracer.traced = {1, 1, 1};
+    tracer.state.shadingNormal[1] = 0.8f;
+    tracer.state.shadingNormal[2] = 0.6f;
+    for (const char* name : {"DiffuseShader", "MetallicRoughness", "AmbientOcclusion"}) {
+        const auto shader = MadeShader(name).make();
+        for (int i = 0; i < 500; ++i) tracer.shade(*shader);
+    }
+    ASSERT_GT(tracer.directions.size(), 2000u);
+    for (const auto& d : tracer.directions) EXPECT_GE(d[2], -1e-6f);
 }
 
 TEST(SurfacesTest, NothingIsNanWhereverTheLightIs) {

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The part of ShadingServices that deals with packets. Lane by lane it does what is done for a
+// point. Included by shading_services.h.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+
+#include "libsmart/render/shading_services.h"
+
+namespace smart {
+
+template <class Shading>
+bool ShadingServices<Shading>::shadePacket(const ShaderObject& surface, const RayGroup& rays,
+                                           uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
+                                           ShadedSample* found) {
+    PixelSample before[kPacketSize];
+    forEach(lanes, [&](int i) { before[i] = *rays.sample[i]; });
+    RTSpacket& points = packetAtHits(rays, lanes, surface).points;
+    if (Shading::template shadePacket<ShadingServices>(surface, points) != 0) {
+        forEach(lanes, [&](int i) { *rays.sample[i] = before[i]; });
+        return false;
+    }
+    forEach(lanes, [&](int i) {
+        colors[i] = {points.result[0].lane[i], points.result[1].lane[i],
+                     points.result[2].lane[i], points.result[3].lane[i]};
+        if (found) found[i].describe(rays.hit[i], points, i);
+    });
+    return true;
+}
+
+// Which of a packet's points was to blame, if it fails, only their scalar form can tell.
+template <class Shading>
+void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const RayGroup& rays,
+                                          uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
+                                          ShadedSample* found) {
+    if (surface && Shading::shadesPackets(*surface) && asPacket(lanes, rays.depth) &&
+        shadePacket(*surface, rays, lanes, colors, found))
+        return;
+    forEach(lanes, [&](int i) {
+        colors[i] =
+            shadeHit(rays.ray[i], rays.hit[i], rays.path(i), found ? &found[i] : nullptr);
+    });
+}
+
+template <class Shading>
+void ShadingServices<Shading>::shadeRays(const RayGroup& rays, uint32_t lanes,
+                                         glm::vec4 (&colors)[kPacketSize]) {
+    const ShaderObject* surfaces[kPacketSize];
+    uint32_t hits = 0;
+    forEach(lanes, [&](int i) {
+        if (rays.hit[i].triangle == kNoHit) return;
+        hits |= 1u << i;
+        surfaces[i] = findSurface(rays.hit[i]);
+    });
+    if (lanes != hits) shadeMisses(rays, lanes & ~hits, colors);
+    while (hits != 0) {
+        const ShaderObject* surface = surfaces[std::countr_zero(hits)];
+        uint32_t group = 0;
+        forEach(hits, [&](int i) {
+            if (surfaces[i] == surface) group |= 1u << i;
+        });
+        shadeGroup(surface, rays, group, colors, nullptr);
+        hits &= ~group;
+    }
+}
+
+template <class Shading>
+void ShadingServices<Shading>::attenuate(RayGroup& rays, uint32_t lanes,
+                                         glm::vec3 (&products)[kPacketSize]) {
+    Crossings crossings[kPacketSize];
+    forEach(lanes, [&](int i) { products[i] = glm::vec3(1.0f); });
+    for (int step = 0; step < kMaxTransparentHits && lanes != 0; ++step) {
+        counters_.shadowRays += uint64_t(std::popcount(lanes));
+        findHits(rays, lanes);
+        forEach(lanes, [&](int i) {
+            const Hit& hit = rays.hit[i];
+            if (hit.triangle != kNoHit && crossings[i].add(hit))
+                products[i] *= transparency(rays.ray[i], hit, rays.path(i));
+            if (hit.triangle == kNoHit || products[i] == glm::vec3(0.0f))
+                lanes &= ~(1u << i);
+            else
+                rays.ray[i].tNear = crossings[i].beyond(hit);
+        });
+    }
+    forEach(lanes, [&](int i) { products[i] = glm::vec3(0.0f); });
+}
+
+template <class Shading>
+RTuint ShadingServices<Shading>::packetTrace(RTSpacket* packet, RTuint lanes,
+                                             const RTSvectors* origin,
+                                             const RTSvectors* direction,
+                                             const RTSfloats* weight, RTScolors* radiance) {
+    PointPacket& from = packetOf(*packet);
+    ShadingServices& self = static_cast<ShadingServices&>(*from.services);
+    *radiance = {};
+    if (packet->flags & RTS_STOPPED) return 0;
+    RayGroup rays;
+    rays.depth = packet->depth + 1;
+    rays.flags = packet->flags;
+    uint32_t traced = 0;
+    forEach(lanes & packet->active, [&](int i) {
+        rays.weight[i] =
+            self.shareOf(weight->lane[i], packet->weight.lane[i], packet->depth);
+        if (!(rays.weight[i] < 0.0f)) traced |= 1u << i;
+    });
+    if (traced == 0) return 0;
+    spawn(from, traced, *origin, *direction, rays);
+    self.counters_.secondaryRays += uint64_t(std::popcount(traced));
+    self.findHits(rays, traced);
+    glm::vec4 colors[kPacketSize];
+    self.shadeRays(rays, traced, colors);
+    forEach(traced, [&](int i) {
+        radiance->r.lane[i] = colors[i].r;
+        radiance->g.lane[i] = colors[i].g;
+        radiance->b.lane[i] = colors[i].b;
+    });
+    return traced;
+}
+
+template <class Shading>
+RTuint ShadingServices<Shading>::packetShadow(RTSpacket* packet, RTuint lanes,
+                                              const RTSvectors* origin,
+                                              const RTSvectors* direction,
+                                              const RTSfloats* distance, RTScolors* attenuation) {
+    PointPacket& from = packetOf(*packet);
+    ShadingServices& self = static_cast<ShadingServices&>(*from.services);
+    *attenuation = {};
+    lanes &= packet->active;
+    if (packet->flags & RTS_STOPPED) return 0;
+    uint32_t traced = 0;
+    forEach(lanes, [&](int i) {
+        for (RTSfloats* channel : {&attenuation->r, &attenuation->g, &attenuation->b})
+            channel->lane[i] = 1.0f;
+        if (distance->lane[i] > 0.0f) traced |= 1u << i;
+    });
+    if (traced == 0) return lanes;
+    RayGroup rays;
+    rays.depth = packet->depth + 1;
+    rays.flags = packet->flags;
+    spawn(from, traced, *origin, *direction, rays);
+    forEach(traced, [&](int i) { rays.ray[i].tFar = distance->lane[i] * kBeforeLight; });
+    if (self.shading_.transparent) {
+        glm::vec3 left[kPacketSize];
+        forEach(traced, [&](int i) { rays.weight[i] = packet->weight.lane[i]; });
+        self.attenuate(rays, traced, left);
+        forEach(traced, [&](int i) {
+            attenuation->r.lane[i] = left[i].r;
+            attenuation->g.lane[i] = left[i].g;
+            attenuation->b.lane[i] = left[i].b;
+        });
+        return lanes;
+    }
+    self.counters_.shadowRays += uint64_t(std::popcount(traced));
+    forEach(self.findOccluded(rays, traced), [&](int i) {
+        for (RTSfloats* channel : {&attenuation->r, &attenuation->g, &attenuation->b})
+            channel->lane[i] = 0.0f;
+    });
+    return lanes;
+}
+
+} // namespace smart

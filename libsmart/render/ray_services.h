@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+
+#include "libsmart/kernel/kernels.h"
+#include "libsmart/render/camera_rays.h"
+#include "libsmart/render/frame.h"
+#include "libsmart/render/point_packet.h"
+#include "libsmart/render/ray_group.h"
+#include "libsmart/render/thread_loan.h"
+#include "libsmart/scene/hit_chain.h"
+#include "libsmart/scene/query.h"
+#include "libsmart/shading/surface_point.h"
+
+namespace smart {
+
+/// Behind RTSstate::tracer: where rays of a state start.
+struct RayStart {
+    RayServices* services;
+    PixelSample* sample;
+    RayCone cone{};                  ///< of the rays that go on from the point
+    const HitChain* chain = nullptr; ///< of the shaded point; nullptr: none
+    float u = 0, v = 0;
+    float error = -1.0f;  ///< surfaceError of the point; negative: not yet known
+    bool mayTrace = true; ///< false while shadows ask for transparency
+};
+
+/// A state for shaders and all that it points to.
+struct PointState {
+    RTSstate state;
+    RayStart start;
+    HitChain chain;
+    VertexScratch scratch;
+
+    PointState() = default; // nothing is set: the services do
+    PointState(const PointState&) = delete;
+    PointState& operator=(const PointState&) = delete;
+};
+
+inline bool isFinite(const glm::vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+/// What one camera ray brings home.
+struct ShadedSample {
+    glm::vec4 color{0.0f, 0.0f, 0.0f, 1.0f};
+    float distance = std::numeric_limits<float>::infinity();
+    glm::vec3 normal{0.0f}; ///< shading normal
+    uint32_t object = kNoId, instance = kNoId, primitive = kNoId;
+    bool bad = false; ///< a shader failed or its radiance is not finite; the colour is black then
+
+    /// Takes what is known of a hit beside its colour.
+    void describe(const Hit& hit, const RTSstate& state) {
+        distance = hit.t;
+        normal = {state.shadingNormal[0], state.shadingNormal[1], state.shadingNormal[2]};
+        object = state.object;
+        instance = state.instance;
+        primitive = state.primitive;
+    }
+    void describe(const Hit& hit, const RTSpacket& points, int lane) {
+        distance = hit.t;
+        normal = {points.shadingNormal.x.lane[lane], points.shadingNormal.y.lane[lane],
+                  points.shadingNormal.z.lane[lane]};
+        object = points.object.lane[lane];
+        instance = points.instance.lane[lane];
+        primitive = points.primitive.lane[lane];
+    }
+    /// Black if something went wrong.
+    void judge(const PixelSample& sample) {
+        bad = sample.fault || !isFinite(color);
+        if (bad) color = {0.0f, 0.0f, 0.0f, 1.0f};
+    }
+};
+
+/// How points are shaded where their shader can do both; the picture is the same.
+enum class ShadingForm { Packets, Points };
+
+/// Answers what shaders ask (RTSfunctions, RTSpacketfunctions), as far as no surface is shaded
+/// for it. One for each tile under way; belongs to the thread that renders it.
+class RayServices {
+public:
+    RayServices(const RayServices&) = delete;
+    RayServices& operator=(const RayServices&) = delete;
+
+    /// Traces and shades a camera ray, with a direction of length 1.
+    virtual ShadedSample traceCameraRay(const Ray& ray, const PathState& path) = 0;
+
+    /// A state at no surface, for shaders that are asked before a ray is traced.
+    void atNoSurface(PixelSample& sample, PointState& point);
+    /// The state at what a ray met, without the parameters of its shader.
+    void atHit(const Ray& ray, const Hit& hit, const PathState& path, PointState& point);
+
+    /// Asks the camera for the ray through a point of a pixel; false where there is none.
+    bool makeCameraRay(const CameraRays& camera, double x, double y, PixelSample& sample, Ray& ray,
+                       RayCone& cone);
+    /// What a camera ray meets, not yet shaded; false: nothing.
+    bool visit(const Ray& ray, const PathState& path, PointState& point, ShadedSample& found);
+
+    /// Finds what the rays of the given lanes meet.
+    void findHits(RayGroup& rays, uint32_t lanes) const;
+    /// The surface shader of what a ray hit; nullptr: there is none.
+    const ShaderObject* findSurface(const Hit& hit);
+    /// What the given rays see that met nothing.
+    void shadeMisses(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
+
+    /// Entries of the function table.
+    static int traceHit(RTSstate*, const float origin[3], const float direction[3], RTShitinfo*);
+    static RTuint lightCount(const RTSstate*);
+    static int illuminate(RTSstate*, RTuint light, RTSlightsample*);
+    static void texture(RTSstate*, RTuint texture, float s, float t, float rgba[4]);
+    static void environment(RTSstate*, const float direction[3], float radiance[3]);
+    static float random(RTSstate*);
+    /// Entries of the packets' function table.
+    static RTuint packetTraceHit(RTSpacket*, RTuint lanes, const RTSvectors* origin,
+                                 const RTSvectors* direction, RTShitpacket*);
+    static RTuint packetLightCount(const RTSpacket*);
+    static RTuint packetIlluminate(RTSpacket*, RTuint lanes, RTuint light, RTSlightpacket*);
+    static void packetTexture(RTSpacket*, RTuint lanes, RTuint texture, const RTSfloats* s,
+                              const RTSfloats* t, RTSfloats rgba[4]);
+    static void packetEnvironment(RTSpacket*, RTuint lanes, const RTSvectors* direction,
+                                  RTScolors*);
+    static void packetRandom(RTSpacket*, RTuint lanes, RTSfloats*);
+
+protected:
+    /// `counters`: where rays are counted. The tables are those that states and packets point to.
+    RayServices(const Frame& frame, TilePixels& counters, ShadingForm form,
+                const RTSfunctions& functions, const RTSpacketfunctions& packetFunctions);
+    ~RayServices() = default;
+
+    static RayStart& startOf(const RTSstate& state) {
+        return *static_cast<RayStart*>(state.tracer);
+    }
+    /// Sets the state to a ray that has met nothing yet.
+    void beginState(const Ray& ray, const PathState& path, PointState& point);
+    /// Whether rays may start there; none is traced for transparency.
+    static bool mayTrace(const RTSstate& state) {
+        return startOf(state).mayTrace && !(state.flags & RTS_STOPPED);
+    }
+    /// The share of the pixel that a traced ray has; negative: it is not to be traced.
+    float shareOf(float weight, float ofPoint, uint32_t depth) const;
+    /// A ray with a direction of length 1. Only where it starts exactly at the shaded point is
+    /// its origin moved off the surface: another origin is the shader's own choice.
+    static Ray spawn(const RTSstate& state, const float origin[3], const float direction[3]);
+    static PathState onward(const RTSstate& state, float weight);
+    Hit findHit(const Ray& ray) const;
+    bool isOccluded(const Ray& ray) const;
+    const ShaderObject* findSurface(const HitChain& chain) const;
+    glm::vec4 shadeMiss(const Ray& ray, const PathState& path);
+
+    static PointPacket& packetOf(const RTSpacket& packet) {
+        return *static_cast<PointPacket*>(packet.tracer);
+    }
+    /// Whether so many points of a class that can do both are shaded as a packet.
+    bool asPacket(uint32_t lanes, uint32_t depth) const {
+        return form_ == ShadingForm::Packets && depth < kMaxPacketDepth &&
+               std::popcount(lanes) >= kLeastLanes;
+    }
+    /// The packet of what the given rays hit, which all has the shader.
+    PointPacket& packetAtHits(const RayGroup& rays, uint32_t lanes, const ShaderObject& surface);
+    /// The rays that the lanes of a packet send on, but for their weights.
+    static void spawn(PointPacket& from, uint32_t lanes, const RTSvectors& origin,
+                      const RTSvectors& direction, RayGroup& rays);
+    /// The lanes among the given ones whose rays are blocked.
+    uint32_t findOccluded(const RayGroup& rays, uint32_t lanes) const;
+
+    const Frame& frame_;
+    const FrameShading& shading_;
+    TilePixels& counters_;
+    const KernelTable& kernels_;
+    const std::size_t precision_;
+    const uint32_t recursionLimit_;
+
+private:
+    static constexpr int kLeastLanes = 3; ///< fewer are faster one by one
+
+    /// What a light's answer amounts to; 0: it contributes nothing.
+    static int finishLight(const LightPart& part, int answer, PixelSample& asked,
+                           RTSlightsample& sample);
+    PointPacket& beginPacket(const RayGroup& rays, uint32_t lanes);
+    void gatherState(PointPacket& packet, int lane, RTSstate& state, RayStart& start) const;
+
+    const RTSfunctions& functions_;
+    const RTSpacketfunctions& packetFunctions_;
+    const ShadingForm form_;
+    const ThreadLoan<PacketPool> pool_;
+    HitChain recent_; ///< of the hit that findSurface was asked for last
+    uint32_t recentPath_[kMaxLevels];
+};
+
+/// Length 1; zero where there is no direction: such rays miss.
+glm::vec3 unitDirection(const float direction[3]);
+
+/// Shadow rays end this share of the distance before the light, so as not to meet its own surface.
+inline constexpr float kBeforeLight = 1.0f - 0x1p-20f;
+
+} // namespace smart

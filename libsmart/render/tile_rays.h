@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+
+#include "libsmart/render/framebuffer.h"
+#include "libsmart/render/hit_groups.h"
+#include "libsmart/render/ray_group.h"
+
+namespace smart {
+
+/// The rays of a tile always lie as blocks of eight by eight pixels, each of four packets of four
+/// by four, whatever the instruction set and the thread. Ray n of the tile is lane n % 16 of
+/// packet n / 16.
+namespace tile_order {
+
+inline constexpr uint32_t kPacketSide = 4, kBlockSide = 8;
+inline constexpr uint32_t kPackets = TilePixels::kCount / uint32_t(kPacketSize);
+static_assert(kPacketSide * kPacketSide == kPacketSize);
+static_assert(kTileSize % kBlockSide == 0 && kBlockSide == 2 * kPacketSide);
+
+/// Column and row in the tile of a packet's lower left pixel.
+struct Corner {
+    uint32_t x, y;
+};
+constexpr Corner cornerOf(uint32_t packet) {
+    constexpr uint32_t kBlocksInRow = kTileSize / kBlockSide;
+    const uint32_t block = packet / 4, quarter = packet % 4;
+    return {block % kBlocksInRow * kBlockSide + quarter % 2 * kPacketSide,
+            block / kBlocksInRow * kBlockSide + quarter / 2 * kPacketSide};
+}
+/// Entry of TilePixels.
+constexpr uint32_t entryOf(uint32_t ray) {
+    const Corner corner = cornerOf(ray / uint32_t(kPacketSize));
+    const uint32_t lane = ray % uint32_t(kPacketSize);
+    return (corner.y + lane / kPacketSide) * kTileSize + corner.x + lane % kPacketSide;
+}
+
+} // namespace tile_order
+
+/// What a tile needs while one sample of each of its pixels is made.
+struct TileRays {
+    RayGroup packets[tile_order::kPackets];
+    uint32_t active[tile_order::kPackets]; ///< lanes with a ray
+    PixelSample samples[TilePixels::kCount];
+    HitGroups groups;
+    HitGroups::RayNumber misses[TilePixels::kCount];
+
+    // By ray, over all samples.
+    glm::vec4 sum[TilePixels::kCount];
+    bool bad[TilePixels::kCount];
+};
+
+} // namespace smart

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "libsmart/shading/builtin/indirect.h"
+
+namespace smart::builtin {
+
+/// color * (mean of what `samples` shadow rays of length `distance` let pass), in directions
+/// around the normal with density cosine / pi, one in each of `samples` equal parts: the share of
+/// an even sky that reaches the point. Zhukov et al., "An ambient light illumination model",
+/// Eurographics Workshop on Rendering, 1998.
+struct AmbientOcclusion {
+    int samples = 16; ///< less than 1 counts as 1
+    float distance = std::numeric_limits<float>::infinity();
+    Color color{1.0f};
+
+    void registerParams(const ShaderRegistrator& r) const {
+        r.registerParam<int>("samples", PER_SHADER, offsetof(AmbientOcclusion, samples));
+        r.registerParam<float>("distance", PER_SHADER, offsetof(AmbientOcclusion, distance));
+        r.registerParam<Color>("color", PER_SHADER, offsetof(AmbientOcclusion, color));
+    }
+    static constexpr bool shadesPackets = true;
+    template <class Context>
+    void shade(Context& c) const {
+        using Float = typename Context::Float;
+        const RTuint n = samples > 1 ? RTuint(samples) : 1u;
+        const Strata strata(n);
+        const auto normal = c.facingNormal(), side = c.facingGeometricNormal();
+        typename Context::Color open;
+        for (RTuint i = 0; i < n; ++i) {
+            const Float u = strata.u(i, c.random()), v = strata.v(i, c.random());
+            const auto direction = inFrontOf(side, cosineDirection(normal, u, v));
+            open += c.shadow(c.position(), direction, distance);
+        }
+        c.setRadiance(color * (open / float(n)));
+    }
+};
+
+} // namespace smart::builtin

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// openrt-accuracy: what each engine and mode gets wrong in the hard cases, and what each costs.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <thread>
+
+#include "libsmart/kernel/kernels.h"
+#include "tests/accuracy/accuracy_report.h"
+
+namespace smart::test {
+namespace {
+
+constexpr int kExitError = 1, kExitBroken = 3;
+
+struct Options {
+    RunSize size;
+    SpeedOptions speed;
+    std::vector<std::string> cases, engines, scenes;
+    std::vector<double> camera, light;
+    std::string isa, cameras, name, json;
+    bool table = false, list = false;
+};
+
+void showProgress(const std::string& text) {
+    static const bool terminal = isatty(STDERR_FILENO);
+    if (terminal) std::cerr << '\r' << text << "\033[K" << std::flush;
+}
+
+bool startsWithOneOf(const std::string& name, const std::vector<std::string>& starts) {
+    return std::any_of(starts.begin(), starts.end(),
+                       [&](const std::string& start) { return name.rfind(start, 0) == 0; });
+}
+
+std::vector<EngineKind> chosenEngines(const std::vector<std::string>& names) {
+    std::vector<EngineKind> chosen;
+    const std::vector<EngineKind> all = engineKinds();
+    const auto isNamed = [&](const EngineKind& kind) {
+        if (names.empty())
+            return kind.mode >= 0 || kind.name == "embree" || kind.name == "embree-robust";
+        return std::find(names.begin(), names.end(), kind.name) != names.end() ||
+               std::find(names.begin(), names.end(), "all") != names.end();
+    };
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), isNamed);
+    for (const std::string& name : names) {
+        const bool known = name == "all" || std::any_of(all.begin(), all.end(), [&](auto& kind) {
+                               return kind.name == name;
+                           });
+        if (!known) throw std::runtime_error("--engines: there is no " + name + " here");
+    }
+    return chosen;
+}
+
+/// "none" of --cases asks for speeds only.
+bool wanted(const Options& options, const std::string& name) {
+    return options.cases.empty() || startsWithOneOf(name, options.cases);
+}
+
+void printNames() {
+    for (const NamedCase& named : hardCases()) std::cout << named.name << '\n';
+    std::cout << "H9\n";
+    for (const EngineKind& kind : engineKinds()) std::cout << "--engines " << kind.name << '\n';
+}
+
+void measureSpeeds(const Options& options, AccuracyReport& report) {
+    for (const std::string& scene : options.scenes) {
+        showProgress(scene);
+        SpeedOptions speed = options.speed;
+        speed.scene = scene;
+        speed.buildThreads = options.size.threads;
+        if (!options.cameras.empty()) {
+            // The line that --name says, or the one named like the file.
+            std::string name = options.name;
+            if (name.empty()) {
+                name = scene.substr(scene.find_last_of('/') + 1);
+                name = name.substr(0, name.find('.'));
+            }
+            speed.view = bench::readView(options.cameras, name);
+        }
+        if (!options.camera.empty()) {
+            const std::vector<double>& c = options.camera;
+            std::copy_n(&c[0], 3, speed.view.camera.eye);
+            std::copy_n(&c[3], 3, speed.view.camera.target);
+            std::copy_n(&c[6], 3, speed.view.camera.up);
+            speed.view.camera.fov = c[9];
+        }
+        if (!options.light.empty()) std::copy_n(options.light.begin(), 3, speed.view.light);
+        report.speeds.push_back(measureScene(speed));
+    }
+}
+
+int run(const Options& options) {
+    if (options.list) {
+        printNames();
+        return 0;
+    }
+    if (!options.isa.empty() && !selectKernels(options.isa.c_str()))
+        throw std::runtime_error("--isa " + options.isa + ": not in this library or machine");
+    if (options.speed.size == 0 || options.speed.size % 4 != 0)
+        throw std::runtime_error("--size: must be a multiple of 4");
+    const std::vector<EngineKind> engines = chosenEngines(options.engines);
+    AccuracyReport report;
+    report.isa = kernels().name;
+    report.embree = embreeVersion();
+    report.threads = options.size.threads;
+    report.rays = options.size.rays;
+    bool any = options.cases.size() == 1 && options.cases[0] == "none";
+    for (const NamedCase& named : hardCases()) {
+        if (!wanted(options, named.name)) continue;
+        any = true;
+        showProgress(named.name);
+        report.cases.push_back(runCase(named, engines, options.size));
+    }
+    if (wanted(options, "H9")) {
+        any = true;
+        showProgress("H9");
+        report.secondary = runSecondary(engines, std::max<std::size_t>(1, options.size.rays / 5),
+                                        options.size.threads, options.size.seed);
+    }
+    if (!any) throw std::runtime_error("--cases: none is called so; see --list");
+    measureSpeeds(options, report);
+    showProgress("");
+    if (options.table) report.printTable(std::cout);
+    if (!options.json.empty()) {
+        std::ofstream file(options.json);
+        file << report.json().dump(1) << '\n';
+        if (!file) throw std::runtime_error(options.json + ": can not be written");
+    }
+    const std::string broken = report.brokenPromises();
+    if (broken.empty())
+        std::cout << "All promises are kept.\n";
+    else
+        std::cout << broken;
+    return broken.empty() ? 0 : kExitBroken;
+}
+
+} // namespace
+} // namespace smart::test
+
+int main(int argc, char** argv) {
+    smart::test::Options options;
+    CLI::App app(
+        "Judges engines by exact arithmetic in the hard cases H1 to H12, and measures what "
+        "each mode costs. Exit code 3: a mode of the library broke a promise.");
+    auto& size = options.size;
+    size.threads = std::max(1u, std::thread::hardware_concurrency());
+    app.add_option("--rays", size.rays, "rays of the largest cases; others get their share")
+        ->check(CLI::Range(std::size_t(1), std::size_t(1) << 40));
+    app.add_option("--identity", size.identityRays,
+                   "rays of each case that go through every instruction set and form");
+    app.add_option("--brute-tests", size.bruteTests,
+                   "triangle tests of each case for engines without a tree");
+    app.add_option("--seed", size.seed, "of all rays");
+    app.add_option("--threads", size.threads)->check(CLI::Range(1, 1024));
+    app.add_option("--cases", options.cases, "how their names start, or none; all if not given")
+        ->delimiter(',');
+    app.add_option("--engines", options.engines,
+                   "names, or all; ours, embree and embree-robust if not given")
+        ->delimiter(',');
+    app.add_flag("--list", options.list, "print the names of cases and engines");
+    app.add_option("--scene", options.scenes, "also measure speeds on a .tri file or generated:N")
+        ->delimiter(',');
+    app.add_option("--cameras", options.cameras, "file of views: name and 13 numbers a line");
+    app.add_option("--name", options.name,
+                   "which line of --cameras; the scene's name if not given");
+    app.add_option("--camera", options.camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
+        ->delimiter(',')
+        ->expected(10);
+    app.add_option("--light", options.light, "x,y,z")->delimiter(',')->expected(3);
+    app.add_option("--size", options.speed.size, "width and height of a scene's picture")
+        ->check(CLI::Range(4, 16384));
+    app.add_option("--repeat", options.speed.repeat, "measurements of each kind")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
+    app.add_option("--json", options.json, "write the figures to this file");
+    app.add_flag("--table", options.table, "print the figures");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return smart::test::run(options);
+    } catch (const std::exception& error) {
+        std::cerr << "openrt-accuracy: " << error.what() << '\n';
+        return smart::test::kExitError;
+    }
+}

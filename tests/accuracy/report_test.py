@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""openrt-accuracy writes a report, and plot.py makes pictures and tables of it."""
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+from pathlib import Path
+
+PLOT = Path(__file__).with_name("plot.py")
+CASES = "H1-scale1e0,H1-scale1e6,H1-off1e1,H1-off1e2,H1-needle1e1,H1-needle1e2,H1-exact-ico5,H9"
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Report(unittest.TestCase):
+    program = ""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = Path(self.folder.name)
+
+    def run_program(self, *arguments):
+        return subprocess.run([self.program, *arguments], capture_output=True, text=True,
+                              check=False)
+
+    def plot(self, *arguments):
+        return subprocess.run([sys.executable, PLOT, "--out", self.path / "pictures",
+                               "--tables", self.path / "tables.md", *arguments],
+                              capture_output=True, text=True, check=False)
+
+    def test_report_and_pictures(self):
+        report = self.path / "report.json"
+        done = self.run_program("--rays", "60", "--identity", "32", "--cases", CASES, "--scene",
+                                "generated:2000", "--size", "32", "--repeat", "1", "--threads",
+                                "1", "--table", "--json", str(report))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("All promises are kept.", done.stdout)
+        data = json.loads(report.read_text(encoding="utf-8"))
+        self.assertEqual(len(data["cases"]), 7)
+        for case in data["cases"]:
+            kinds = [engine["engine"] for engine in case["engines"]]
+            self.assertEqual(kinds[:3], ["openrt-fast", "openrt-watertight", "openrt-precise"])
+            self.assertEqual(case["engines"][2]["lost"], 0)
+            self.assertEqual([i["differing"] for i in case["identity"]], [0, 0, 0])
+        done = self.plot(report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = sorted(path.name for path in (self.path / "pictures").iterdir())
+        self.assertEqual(names, ["aspect.svg", "cost.svg", "offset.svg",
+                                 "pareto-generated-2000.svg", "scale.svg"])
+        for path in (self.path / "pictures").iterdir():
+            root = xml.etree.ElementTree.parse(path).getroot()
+            self.assertGreaterEqual(len(root.findall(SVG + "circle")), 3, path.name)
+            width, height = float(root.get("width")), float(root.get("height"))
+            for circle in root.findall(SVG + "circle"):
+                self.assertTrue(0 <= float(circle.get("cx")) <= width, path.name)
+                self.assertTrue(0 <= float(circle.get("cy")) <= height, path.name)
+        tables = (self.path / "tables.md").read_text(encoding="utf-8")
+        self.assertIn("| H1-exact-ico5 | 60 |", tables)
+
+    def test_what_does_not_exist_is_refused(self):
+        for arguments in (["--cases", "H99"], ["--engines", "nobody"], ["--isa", "none"],
+                          ["--cases", "none", "--scene", str(self.path / "no.tri")],
+                          ["--cases", "H1-exact-vert", "--rays", "10", "--json", "/no/file"]):
+            done = self.run_program(*arguments)
+            self.assertEqual(done.returncode, 1, arguments)
+            self.assertIn("openrt-accuracy: ", done.stderr)
+
+    def test_a_broken_report_makes_no_pictures(self):
+        report = self.path / "report.json"
+        report.write_text("{}", encoding="utf-8")
+        self.assertNotEqual(self.plot(report).returncode, 0)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", required=True)
+    known, rest = parser.parse_known_args()
+    Report.program = known.program
+    unittest.main(argv=[sys.argv[0], *rest])
