@@ -9,6 +9,7 @@ namespace smart {
 namespace {
 
 constexpr int kBins = 32;
+constexpr int kSplitDepth = kWideMaxDepth - 33; ///< below, halves: a tree of 2^32 in 32 levels
 constexpr float kLeafCost = 2.0f, kPrimitiveCost = 0.25f; // a step costs 1
 
 float halfArea(const Aabb& box) {
@@ -39,7 +40,7 @@ public:
         if (tree.prims.empty()) return tree;
         prims_ = tree.prims.data();
         binary_.emplace_back();
-        divide(0, 0, uint32_t(tree.prims.size()));
+        divide(0, 0, uint32_t(tree.prims.size()), 0);
         tree.bounds = binary_[0].box;
         tree.nodes.emplace_back();
         if (binary_[0].count)
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    void divide(uint32_t node, uint32_t first, uint32_t count) {
+    void divide(uint32_t node, uint32_t first, uint32_t count, int depth) {
         Aabb box, centres;
         for (uint32_t i = first; i < first + count; ++i) {
             const Aabb& b = boxes_[prims_[i]];
@@ -62,7 +63,7 @@ private:
         binary_[node].box = box;
         const float leafCost = kLeafCost + kPrimitiveCost * float(count);
         Split best;
-        if (count > 1) best = findSplit(first, count, centres);
+        if (count > 1 && depth < kSplitDepth) best = findSplit(first, count, centres);
         const float splitCost = 1.0f + best.cost / std::max(halfArea(box), 1e-37f);
         if (count <= kWideLeafSize && !(splitCost < leafCost)) {
             binary_[node].first = first;
@@ -83,8 +84,8 @@ private:
         binary_.emplace_back();
         binary_.emplace_back();
         binary_[node].left = left;
-        divide(left, first, middle - first);
-        divide(left + 1, middle, first + count - middle);
+        divide(left, first, middle - first, depth + 1);
+        divide(left + 1, middle, first + count - middle, depth + 1);
     }
 
     static float centre(const Aabb& box, int axis) {

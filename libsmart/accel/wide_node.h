@@ -8,6 +8,7 @@ namespace smart {
 inline constexpr int kWideChildren = 16;
 inline constexpr uint32_t kWideLeaf = 0x80000000u;
 inline constexpr uint32_t kWideLeafSize = 16; ///< primitives of a leaf, at most
+inline constexpr int kWideMaxDepth = 64;      ///< nodes from the root to a leaf, at most
 
 /// Up to sixteen child boxes side by side. A child is the number of another node, or a leaf:
 /// kWideLeaf, the number of its first entry in WideTree::prims in the 27 bits above 4, and the

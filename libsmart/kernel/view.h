@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "libsmart/accel/kd_node.h"
+#include "libsmart/accel/wide_node.h"
 
 namespace smart {
 
@@ -27,6 +28,16 @@ struct KdView {
     const uint32_t* prims;
     float lo[3], hi[3];
     float maxAbs; ///< largest absolute coordinate of the box; scale of the padding
+};
+
+/// A tree of wide nodes.
+struct WideView {
+    const WideNode* nodes; ///< nullptr: nothing in it, or not built
+    const uint32_t* prims;
+    /// Of a tree over triangles: what the leaves need, leaf by leaf. A leaf of n triangles from entry
+    /// f of prims on owns the floats from 9 f on: n times the x of v0, n times its y and so on.
+    /// A whole packet may be read behind the last.
+    const float* corners;
 };
 
 struct ModelView;
@@ -60,6 +71,9 @@ struct ModelView {
     /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while
     /// childTree's box still holds.
     uint32_t childCount;
+    /// For tiles of rays; set once the model has been prepared for them.
+    WideView wide;
+    WideView wideChildren; ///< over the children; empty where childTree is
 };
 
 } // namespace smart

@@ -55,11 +55,22 @@ Scene::Scene(std::vector<Instance> instances, Precision precision, unsigned thre
     buildSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+void Scene::prepareTiles() const {
+    if (precision_ == Precision::Precise) return;
+    std::call_once(tilesOnce_, [this] {
+        for (const Instance& instance : group_.instances())
+            if (instance.model) instance.model->prepareTiles();
+        tileTrees_ = TileTrees({}, {}, group_);
+        tileBytes_.store(tileTrees_.bytes(), std::memory_order_relaxed);
+        tileTrees_.show(view_);
+    });
+}
+
 SceneStatistics statistics(const Scene& scene) {
     StatisticsCollector collector;
     collector.add(scene.group());
     collector.statistics.instances = scene.group().instances().size();
-    collector.statistics.bytes += sizeof(Scene) + scene.group().bytes();
+    collector.statistics.bytes += sizeof(Scene) + scene.group().bytes() + scene.tileBytes();
     return collector.statistics;
 }
 

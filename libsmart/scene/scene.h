@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "libsmart/geometry/instance_group.h"
@@ -19,6 +21,12 @@ public:
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
+    /// Makes what tiles of rays walk in all models reached, and over the instances, unless it
+    /// exists or the precision has no use for it. Thread-safe; to be called before tiles are traced.
+    void prepareTiles() const;
+    /// Bytes of the scene's own share of that; what models hold counts with them.
+    std::size_t tileBytes() const { return tileBytes_.load(std::memory_order_relaxed); }
+
     const InstanceGroup& group() const { return group_; }
     const ModelView& view() const { return view_; }
     Precision precision() const { return precision_; }
@@ -26,7 +34,10 @@ public:
 
 private:
     InstanceGroup group_;
-    ModelView view_{};
+    mutable ModelView view_{};
+    mutable std::once_flag tilesOnce_;
+    mutable TileTrees tileTrees_;
+    mutable std::atomic<std::size_t> tileBytes_{0};
     Precision precision_;
     double buildSeconds_ = 0;
 };
