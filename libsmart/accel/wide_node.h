@@ -8,6 +8,7 @@ namespace smart {
 inline constexpr int kWideChildren = 16;
 inline constexpr uint32_t kWideLeaf = 0x80000000u;
 inline constexpr uint32_t kWideLeafSize = 16; ///< primitives of a leaf, at most
+inline constexpr uint32_t kWordsOfTriangle = 10; ///< in a leaf's block: vertices and number
 inline constexpr int kWideMaxDepth = 64;      ///< nodes from the root to a leaf, at most
 
 /// Up to sixteen child boxes side by side. A child is the number of another node, or a leaf:

@@ -28,7 +28,7 @@ public:
 
 private:
     WideTree triangles_, children_;
-    std::vector<float> corners_; ///< see WideView
+    std::vector<float> blocks_; ///< see WideView
 };
 
 } // namespace smart

@@ -104,7 +104,10 @@ public:
             sign_[k] = group.negative[axis_[k]] == tile.startsThere ? -1.0f : 1.0f;
         }
         for (int v = 0; v < kTileVectors; ++v)
-            if (lanes.of[v]) addPacket(tile.rays[v], lanes.of[v], v);
+            if (lanes.of[v])
+                addPacket(tile.rays[v], lanes.of[v], v);
+            else
+                inverse_[0][v] = inverse_[1][v] = Real<N>(0.0f);
         span(lanes);
         stray(tile, lanes);
         scale_ = largerOf(maxAbs, reach_);

@@ -167,13 +167,17 @@ private:
     [[gnu::noinline]] void placeExactly(const Triangle& triangle, uint32_t lanes,
                                         Real<N>& t) const {
         const Plane plane(triangle);
-        alignas(64) float result[N];
-        t.store(result);
-        for (; lanes; lanes &= lanes - 1) {
-            const int i = lowestBit(lanes);
-            result[i] = float(distance(plane, i, result[i]));
+        alignas(64) float exact[N];
+        for (int i = 0; i < N; ++i) { // as `distance` does
+            double depth = 0, slope = 0;
+            for (int k = 0; k < 3; ++k) {
+                depth += (double(plane.point[k]) - rays_.org[k][i]) * plane.n[k];
+                slope += rays_.dir[k][i] * plane.n[k];
+            }
+            lanes &= ~(uint32_t(slope == 0) << i); // edge-on: as it is
+            exact[i] = float(depth / slope);
         }
-        t = Real<N>::load(result);
+        t = select(Mask<N>::fromBits(lanes), Real<N>::load(exact), t);
     }
 
     template <HitMode M, class Counter>

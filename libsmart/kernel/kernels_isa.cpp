@@ -71,7 +71,7 @@ template <class Counter>
 void store(const Search<kPacketSize, HitMode::Closest, Counter>& query, HitPacket& hits) {
     __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
     __builtin_memcpy(hits.levels, query.levels, sizeof hits.levels);
-    __builtin_memcpy(hits.path, query.path, sizeof hits.path);
+    __builtin_memcpy(hits.path, query.path, query.deepest * sizeof hits.path[0]);
 }
 
 template <template <int> class Precision, class Counter>

@@ -63,6 +63,7 @@ struct alignas(64) Search {
 
     uint32_t currentPath[kMaxLevels];
     uint32_t currentLevels = 0;
+    uint32_t deepest = 0; ///< no hit has more levels
     Counter counter{};
 
     /// Whether the triangle at hand comes before the one stored for a lane at equal distance:
@@ -101,9 +102,13 @@ struct alignas(64) Search {
 
     /// Stores the triangle at hand for the lanes given.
     void keepTriangle(const Mask<N>& lanes, uint32_t candidate) {
-        keep(lanes, candidate, triangle);
+        keepTriangle(lanes, Word<N>(candidate));
+    }
+    void keepTriangle(const Mask<N>& lanes, const Word<N>& candidates) {
+        select(lanes, candidates, Word<N>::load(triangle)).store(triangle);
         keep(lanes, currentLevels, levels);
         for (uint32_t l = 0; l < currentLevels; ++l) keep(lanes, currentPath[l], path[l]);
+        deepest = deepest > currentLevels ? deepest : currentLevels;
     }
 
     /// Takes a triangle met at t by the lanes `hit`; returns the lanes' new far limits.

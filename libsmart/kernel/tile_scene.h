@@ -128,6 +128,7 @@ private:
             packets_ = 0;
             const TileLanes on = live(query_, lanes_);
             for (int v = 0; v < kTileVectors; ++v) {
+                near_[v] = far_[v] = Real<N>(-__builtin_inff());
                 if (!on.of[v]) continue;
                 const DepthRange range(tile_, beam_, v, Real<N>::load(query_[v].tNear),
                                        Real<N>::load(query_[v].best));

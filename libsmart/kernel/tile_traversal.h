@@ -49,7 +49,10 @@ public:
         // Records of the fast mode are off by some units in the last place of the coordinates.
         if (!kDecides) slack_ = slack_ + 160 * 0x1p-24f * beam.scale();
         for (int v = 0; v < kTileVectors; ++v)
-            if (lanes.of[v]) start(v);
+            if (lanes.of[v])
+                start(v);
+            else
+                near_[v] = farDepth_[v] = Real<N>(-__builtin_inff());
         updateLimits(packets_);
     }
 
@@ -78,17 +81,16 @@ public:
     HWY_INLINE void prefetch(uint32_t child) const {
         const char* const next =
             child & kWideLeaf
-                ? reinterpret_cast<const char*>(model_.wide.corners +
-                                                9 * std::size_t((child & ~kWideLeaf) >> 4))
+                ? reinterpret_cast<const char*>(block((child & ~kWideLeaf) >> 4))
                 : reinterpret_cast<const char*>(model_.wide.nodes + child);
         for (int line = 0; line < 7; ++line) __builtin_prefetch(next + 64 * line);
     }
 
     HWY_INLINE void leaf(uint32_t child, uint32_t packets, const Mask<N>* active) {
-        const uint32_t first = (child & ~kWideLeaf) >> 4, count = (child & 15u) + 1;
-        const float* const corners = model_.wide.corners + 9 * std::size_t(first);
+        const uint32_t count = (child & 15u) + 1;
+        const float* const triangles = block((child & ~kWideLeaf) >> 4);
         EdgeFunctions edges;
-        uint64_t pairs = edges.setUp(beam_, corners, count, packets, farthest_, slack_);
+        uint64_t pairs = edges.setUp(beam_, triangles, count, packets, farthest_, slack_);
         if (!pairs) return;
         uint32_t changed = 0;
         for (; pairs; pairs &= pairs - 1) {
@@ -110,13 +112,13 @@ public:
                 const Mask<N> sure = possible & (lowest >= Real<N>(edges.sure[i])) &
                                      (lower >= high_[v]) & (upper <= inverseLimit_[v]);
                 const uint32_t taken = sure.bits(), open = possible.bits() & ~taken;
-                take(v, taken, sure, lower, upper, first + uint32_t(i));
+                take(v, taken, sure, lower, upper, number(triangles, count, i));
                 changed |= uint32_t(taken != 0) << v;
                 if (!open) continue;
-                changed |= uint32_t(decide(corners, count, first, i, v, open)) << v;
+                changed |= uint32_t(decide(triangles, count, i, v, open)) << v;
             } else {
                 const uint32_t open = possible.bits();
-                if (open) changed |= uint32_t(decide(corners, count, first, i, v, open)) << v;
+                if (open) changed |= uint32_t(decide(triangles, count, i, v, open)) << v;
             }
         }
         if (changed) updateLimits(changed);
@@ -162,16 +164,26 @@ private:
         far_ = largestLane(far);
     }
 
-    /// Rays of packet v hit what is entry `position` of the leaves, nearer than all else so far.
+    const float* block(uint32_t first) const {
+        return model_.wide.blocks + kWordsOfTriangle * std::size_t(first);
+    }
+    static uint32_t number(const float* triangles, uint32_t count, int i) {
+        uint32_t number;
+        __builtin_memcpy(&number, triangles + 9 * count + uint32_t(i), sizeof number);
+        return number;
+    }
+
+    /// Rays of packet v hit a triangle, nearer than all else so far.
     HWY_INLINE void take(int v, uint32_t lanes, const Mask<N>& mask, const Real<N>& lower,
-                         const Real<N>& upper, uint32_t position) {
+                         const Real<N>& upper, uint32_t triangle) {
         if constexpr (M == HitMode::Any) {
             block(v, lanes);
         } else {
             low_[v] = select(mask, lower, low_[v]);
             high_[v] = select(mask, upper, high_[v]);
-            found_[v] = select(mask, Word<N>(position), found_[v]);
+            found_[v] = select(mask, Word<N>(triangle), found_[v]);
             unsettled_[v] |= lanes;
+            __builtin_prefetch(model_.triangles + triangle);
         }
     }
     HWY_INLINE void block(int v, uint32_t lanes) {
@@ -185,17 +197,17 @@ private:
 
     /// The exact test of triangle i of a leaf by the given rays of packet v; whether it changed
     /// anything.
-    [[gnu::noinline]] bool decide(const float* corners, uint32_t count, uint32_t first, int i,
-                                  int v, uint32_t lanes) {
+    [[gnu::noinline]] bool decide(const float* triangles, uint32_t count, int i, int v,
+                                  uint32_t lanes) {
         Query& query = query_[v];
         if (M == HitMode::Closest && (unsettled_[v] & lanes)) settle(v, unsettled_[v] & lanes);
         const Precision<N>& precision = exact(v);
-        const uint32_t prim = model_.wide.prims[first + uint32_t(i)];
+        const uint32_t prim = number(triangles, count, i);
         Real<N> t, best = Real<N>::load(query.best);
         Mask<N> hit;
         if constexpr (kDecides) {
             Triangle triangle;
-            const float* from = corners + i;
+            const float* from = triangles + i;
             for (float* vertex : {triangle.v0, triangle.v1, triangle.v2})
                 for (int k = 0; k < 3; ++k, from += count) vertex[k] = *from;
             hit = precision.meet(triangle, Mask<N>::fromBits(lanes), t);
@@ -231,18 +243,8 @@ private:
     /// Writes the names of hits that linear functions found.
     void name(int v, uint32_t lanes) {
         Query& query = query_[v];
-        alignas(64) uint32_t found[N];
-        found_[v].store(found);
         unsettled_[v] &= ~lanes;
-        const Mask<N> mask = Mask<N>::fromBits(lanes);
-        for (; lanes; lanes &= lanes - 1) {
-            const int i = lowestBit(lanes);
-            query.triangle[i] = model_.wide.prims[found[i]];
-            __builtin_prefetch(model_.triangles + query.triangle[i]);
-        }
-        Query::keep(mask, query.currentLevels, query.levels);
-        for (uint32_t l = 0; l < query.currentLevels; ++l)
-            Query::keep(mask, query.currentPath[l], query.path[l]);
+        query.keepTriangle(Mask<N>::fromBits(lanes), found_[v]);
     }
 
     /// Also finds the distances that the exact test gives them.
@@ -271,7 +273,7 @@ private:
     Real<N> near_[kTileVectors], farDepth_[kTileVectors]; ///< depths; none for lanes that are off
     Real<N> low_[kTileVectors], high_[kTileVectors]; ///< bounds of 1/depth of the best hit
     Real<N> inverseLimit_[kTileVectors]; ///< 1/depth from where on float knows a hit to be in range
-    Word<N> found_[kTileVectors];        ///< entry of the leaves, for unsettled lanes
+    Word<N> found_[kTileVectors];        ///< triangles, for unsettled lanes
     uint32_t unsettled_[kTileVectors] = {};
     float farthest_[kTileVectors];
     Lazy<Precision<N>> exact_[kTileVectors];

@@ -33,11 +33,11 @@ struct KdView {
 /// A tree of wide nodes.
 struct WideView {
     const WideNode* nodes; ///< nullptr: nothing in it, or not built
-    const uint32_t* prims;
-    /// Of a tree over triangles: what the leaves need, leaf by leaf. A leaf of n triangles from entry
-    /// f of prims on owns the floats from 9 f on: n times the x of v0, n times its y and so on.
-    /// A whole packet may be read behind the last.
-    const float* corners;
+    const uint32_t* prims; ///< numbers of the primitives, leaf by leaf
+    /// Of a tree over triangles, instead of prims: a leaf of n triangles from entry f on owns the
+    /// words from 10 f on. These are n times the x of v0, n times its y and so on to the z of v2,
+    /// and n numbers of triangles. A whole packet of words may be read behind the last.
+    const float* blocks;
 };
 
 struct ModelView;

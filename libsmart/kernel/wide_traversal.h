@@ -69,11 +69,11 @@ void traverseWide(const WideNode* nodes, const Beam& beam, State& state) {
         uint32_t packets = 0;
         Mask<N> active[kTileVectors];
         for (int v = 0; v < kTileVectors; ++v) {
-            if (!(entry.packets >> v & 1)) continue;
             active[v] = beam.meet(seen[entry.level], entry.slot, v, state.nearDepth(v),
                                   state.farDepth(v));
             packets |= uint32_t(any(active[v])) << v;
         }
+        packets &= entry.packets;
         if (!packets) continue;
         if (entry.child & kWideLeaf) {
             state.leaf(entry.child, packets, active);
