@@ -9,19 +9,33 @@ namespace smart {
 namespace {
 
 constexpr int kBins = 32;
-constexpr int kSplitDepth = kWideMaxDepth - 33; ///< below, halves: a tree of 2^32 in 32 levels
-constexpr float kLeafCost = 2.0f, kPrimitiveCost = 0.25f; // a step costs 1
+constexpr uint32_t kSmallest = 4; ///< primitives that are never split
+constexpr int kSplitDepth = kWideMaxDepth - 33; ///< below, halves: 2^32 primitives in 32 levels
+
+// What a tile of rays spends, in clock cycles, once it meets a box.
+constexpr float kChildCost = 30.0f; ///< the box against its rays
+constexpr float kNodeCost = 70.0f;  ///< sixteen boxes against the tile
+constexpr float kLeafCost = 170.0f; ///< sixteen triangles against the tile
+constexpr float kPrimitiveCost = 12.0f;
 
 float halfArea(const Aabb& box) {
     const float x = box.hi[0] - box.lo[0], y = box.hi[1] - box.lo[1], z = box.hi[2] - box.lo[2];
     return x * y + y * z + z * x;
 }
 
+/// A node of the binary tree that wide nodes are made of.
 struct Binary {
     Aabb box;
-    uint32_t first = 0, count = 0; ///< of a leaf
-    uint32_t left = 0;             ///< of an inner node; the right child follows it
+    uint32_t first = 0, count = 0;
+    uint32_t left = 0; ///< the right child follows it; 0: none, for the root is no child
+    bool leaf = false; ///< cheapest as one leaf
+    /// To fill i slots of a wide node at the least cost: how many of them the left child takes; 0: it
+    /// is better to fill fewer.
+    std::array<uint8_t, kWideChildren + 1> share{};
 };
+
+/// Least cost of filling up to so many slots with a subtree.
+using SlotCosts = std::array<float, kWideChildren + 1>;
 
 struct Split {
     float cost = std::numeric_limits<float>::infinity();
@@ -38,21 +52,19 @@ public:
         for (uint32_t i = 0; i < boxes_.size(); ++i)
             if (!boxes_[i].empty()) tree.prims.push_back(i);
         if (tree.prims.empty()) return tree;
+        tree.prims.shrink_to_fit();
         prims_ = tree.prims.data();
+        binary_.reserve(tree.prims.size());
         binary_.emplace_back();
         divide(0, 0, uint32_t(tree.prims.size()), 0);
         tree.bounds = binary_[0].box;
-        tree.nodes.emplace_back();
-        if (binary_[0].count)
-            place(tree.nodes[0], 0, 0);
-        for (int i = int(binary_[0].count ? 1 : 0); i < kWideChildren; ++i)
-            placeNothing(tree.nodes[0], i);
-        if (!binary_[0].count) collapse(tree, 0, 0);
+        fill(tree, 0);
+        tree.nodes.shrink_to_fit();
         return tree;
     }
 
 private:
-    void divide(uint32_t node, uint32_t first, uint32_t count, int depth) {
+    SlotCosts divide(uint32_t node, uint32_t first, uint32_t count, int depth) {
         Aabb box, centres;
         for (uint32_t i = first; i < first + count; ++i) {
             const Aabb& b = boxes_[prims_[i]];
@@ -61,16 +73,17 @@ private:
             centres.add(c);
         }
         binary_[node].box = box;
-        const float leafCost = kLeafCost + kPrimitiveCost * float(count);
-        Split best;
-        if (count > 1 && depth < kSplitDepth) best = findSplit(first, count, centres);
-        const float splitCost = 1.0f + best.cost / std::max(halfArea(box), 1e-37f);
-        if (count <= kWideLeafSize && !(splitCost < leafCost)) {
-            binary_[node].first = first;
-            binary_[node].count = count;
-            return;
+        binary_[node].first = first;
+        binary_[node].count = count;
+        SlotCosts costs;
+        if (count <= kSmallest) {
+            binary_[node].leaf = true;
+            costs.fill(leafCost(box, count));
+            return costs;
         }
         uint32_t middle = first + count / 2;
+        Split best;
+        if (depth < kSplitDepth) best = findSplit(first, count, centres);
         if (best.cost < std::numeric_limits<float>::infinity()) {
             const float low = centres.lo[best.axis];
             const float scale = binScale(centres, best.axis);
@@ -84,8 +97,41 @@ private:
         binary_.emplace_back();
         binary_.emplace_back();
         binary_[node].left = left;
-        divide(left, first, middle - first, depth + 1);
-        divide(left + 1, middle, first + count - middle, depth + 1);
+        const SlotCosts l = divide(left, first, middle - first, depth + 1);
+        const SlotCosts r = divide(left + 1, middle, first + count - middle, depth + 1);
+        return share(binary_[node], l, r);
+    }
+
+    /// Distributes slots between two subtrees, for each number of them.
+    static SlotCosts share(Binary& node, const SlotCosts& left, const SlotCosts& right) {
+        SlotCosts costs;
+        for (int slots = 2; slots <= kWideChildren; ++slots) {
+            float least = std::numeric_limits<float>::infinity();
+            for (int i = 1; i < slots; ++i) {
+                const float cost = left[std::size_t(i)] + right[std::size_t(slots - i)];
+                if (cost < least) {
+                    least = cost;
+                    node.share[std::size_t(slots)] = uint8_t(i);
+                }
+            }
+            costs[std::size_t(slots)] = least;
+        }
+        const float area = halfArea(node.box);
+        costs[1] = area * (kChildCost + kNodeCost) + costs[kWideChildren];
+        if (node.count <= kWideLeafSize && !(costs[1] < leafCost(node.box, node.count))) {
+            costs[1] = leafCost(node.box, node.count);
+            node.leaf = true;
+        }
+        for (std::size_t slots = 2; slots <= std::size_t(kWideChildren); ++slots) {
+            if (costs[slots] < costs[slots - 1]) continue;
+            costs[slots] = costs[slots - 1];
+            node.share[slots] = 0;
+        }
+        return costs;
+    }
+
+    static float leafCost(const Aabb& box, uint32_t count) {
+        return halfArea(box) * (kChildCost + kLeafCost + kPrimitiveCost * float(count));
     }
 
     static float centre(const Aabb& box, int axis) {
@@ -128,7 +174,7 @@ private:
             for (int i = kBins - 1; i > 0; --i) {
                 box.add(row[std::size_t(i)].box);
                 n += row[std::size_t(i)].count;
-                rightCost[i] = n ? halfArea(box) * cost(n) : -1.0f;
+                rightCost[i] = n ? halfArea(box) * float(n) : -1.0f;
             }
             box = Aabb();
             n = 0;
@@ -136,60 +182,61 @@ private:
                 box.add(row[std::size_t(i - 1)].box);
                 n += row[std::size_t(i - 1)].count;
                 if (n == 0 || rightCost[i] < 0) continue;
-                const float total = halfArea(box) * cost(n) + rightCost[i];
+                const float total = halfArea(box) * float(n) + rightCost[i];
                 if (total < best.cost) best = {total, axis, i};
             }
         }
         return best;
     }
-    static float cost(uint32_t n) { return kLeafCost + kPrimitiveCost * float(n); }
 
-    static void placeNothing(WideNode& node, int place) {
+    static void placeNothing(WideNode& node, int slot) {
         for (int k = 0; k < 3; ++k) {
-            node.lo[k][place] = std::numeric_limits<float>::infinity();
-            node.hi[k][place] = -std::numeric_limits<float>::infinity();
+            node.lo[k][slot] = std::numeric_limits<float>::infinity();
+            node.hi[k][slot] = -std::numeric_limits<float>::infinity();
         }
-        node.child[place] = 0;
+        node.child[slot] = 0;
     }
-    void place(WideNode& node, int at, uint32_t binary) const {
-        const Binary& b = binary_[binary];
-        for (int k = 0; k < 3; ++k) {
-            node.lo[k][at] = b.box.lo[k];
-            node.hi[k][at] = b.box.hi[k];
-        }
-        node.child[at] = b.count ? kWideLeaf | b.first << 4 | (b.count - 1) : 0u;
-    }
-    void collapse(WideTree& tree, uint32_t wide, uint32_t binary) {
-        uint32_t open[kWideChildren] = {binary_[binary].left, binary_[binary].left + 1};
-        int count = 2;
-        while (count < kWideChildren) {
-            int largest = -1;
-            float area = -1.0f;
-            for (int i = 0; i < count; ++i) {
-                if (binary_[open[i]].count) continue;
-                const float a = halfArea(binary_[open[i]].box);
-                if (a > area) {
-                    area = a;
-                    largest = i;
-                }
-            }
-            if (largest < 0) break;
-            const uint32_t left = binary_[open[largest]].left;
-            open[largest] = left;
-            open[count++] = left + 1;
-        }
-        for (int i = 0; i < kWideChildren; ++i) {
-            if (i >= count) {
-                placeNothing(tree.nodes[wide], i);
+
+    /// Makes a wide node of a binary one, and those below it.
+    uint32_t fill(WideTree& tree, uint32_t binary) const {
+        const uint32_t wide = uint32_t(tree.nodes.size());
+        tree.nodes.emplace_back();
+        uint32_t children[kWideChildren];
+        int count = 0;
+        if (binary_[binary].leaf)
+            children[count++] = binary; // of the root alone
+        else
+            collect(binary, kWideChildren, children, count);
+        for (int slot = 0; slot < kWideChildren; ++slot) {
+            if (slot >= count) {
+                placeNothing(tree.nodes[wide], slot);
                 continue;
             }
-            place(tree.nodes[wide], i, open[i]);
-            if (binary_[open[i]].count) continue;
-            const uint32_t child = uint32_t(tree.nodes.size());
-            tree.nodes.emplace_back();
-            tree.nodes[wide].child[i] = child;
-            collapse(tree, child, open[i]);
+            const Binary& child = binary_[children[slot]];
+            for (int k = 0; k < 3; ++k) {
+                tree.nodes[wide].lo[k][slot] = child.box.lo[k];
+                tree.nodes[wide].hi[k][slot] = child.box.hi[k];
+            }
+            const uint32_t reference =
+                child.leaf ? kWideLeaf | child.first << 4 | (child.count - 1)
+                           : fill(tree, children[slot]);
+            tree.nodes[wide].child[slot] = reference;
         }
+        return wide;
+    }
+
+    /// The subtrees that share so many slots of a wide node.
+    void collect(uint32_t binary, int slots, uint32_t* children, int& count) const {
+        const Binary& node = binary_[binary];
+        int left = 0;
+        if (node.left)
+            while (slots > 1 && !(left = node.share[std::size_t(slots)])) --slots;
+        if (slots == 1 || !left) {
+            children[count++] = binary;
+            return;
+        }
+        collect(node.left, left, children, count);
+        collect(node.left + 1, slots - left, children, count);
     }
 
     const std::vector<Aabb>& boxes_;

@@ -114,8 +114,11 @@ public:
                 const uint32_t taken = sure.bits(), open = possible.bits() & ~taken;
                 take(v, taken, sure, lower, upper, number(triangles, count, i));
                 changed |= uint32_t(taken != 0) << v;
-                if (!open) continue;
-                changed |= uint32_t(decide(triangles, count, i, v, open)) << v;
+                uint32_t rest = open;
+                if (M == HitMode::Any && open && edges.sure[i] < __builtin_inff())
+                    rest = ahead(triangles, count, i, v, open);
+                if (!rest) continue;
+                changed |= uint32_t(decide(triangles, count, i, v, rest)) << v;
             } else {
                 const uint32_t open = possible.bits();
                 if (open) changed |= uint32_t(decide(triangles, count, i, v, open)) << v;
@@ -195,6 +198,51 @@ private:
         if (!(lanes_.of[v] & ~query.blocked)) packets_ &= ~(1u << v);
     }
 
+    static void load(const float* triangles, uint32_t count, int i, Triangle& triangle) {
+        const float* from = triangles + i;
+        for (float* vertex : {triangle.v0, triangle.v1, triangle.v2})
+            for (int k = 0; k < 3; ++k, from += count) vertex[k] = *from;
+    }
+
+    /// Of the given rays of packet v, those that do not start behind the plane of triangle i: the
+    /// exact test would find the same in double. Most of what a shadow ray has left is the surface
+    /// that it starts on.
+    [[gnu::noinline]] uint32_t ahead(const float* triangles, uint32_t count, int i, int v,
+                                     uint32_t lanes) const {
+        Triangle triangle;
+        load(triangles, count, i, triangle);
+        double e1[3], e2[3], n[3];
+        for (int k = 0; k < 3; ++k) {
+            e1[k] = double(triangle.v1[k]) - triangle.v0[k];
+            e2[k] = double(triangle.v2[k]) - triangle.v0[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int a = (k + 1) % 3, b = (k + 2) % 3;
+            n[k] = e1[a] * e2[b] - e1[b] * e2[a];
+        }
+        const hn::CappedTag<double, 8> real;
+        const hn::Rebind<float, decltype(real)> narrow;
+        const LocalRays<N>& rays = tile_.rays[v];
+        uint32_t behind = 0;
+        for (int first = 0; first < N; first += int(hn::Lanes(real))) {
+            auto depth = hn::Zero(real), slope = hn::Zero(real);
+            for (int k = 0; k < 3; ++k) {
+                const auto normal = hn::Set(real, n[k]);
+                const auto org = hn::PromoteTo(real, hn::Load(narrow, rays.org[k] + first));
+                const auto dir = hn::PromoteTo(real, hn::Load(narrow, rays.dir[k] + first));
+                depth = hn::Add(depth, hn::Mul(hn::Sub(hn::Set(real, triangle.v0[k]), org), normal));
+                slope = hn::Add(slope, hn::Mul(dir, normal));
+            }
+            // A distance that float could round to zero stays.
+            const auto least = hn::Mul(hn::Mul(slope, slope), hn::Set(real, -0x1p-100));
+            uint64_t bits = 0;
+            hn::StoreMaskBits(real, hn::Lt(hn::Mul(depth, slope), least),
+                              reinterpret_cast<uint8_t*>(&bits));
+            behind |= uint32_t(bits) << first;
+        }
+        return lanes & ~behind;
+    }
+
     /// The exact test of triangle i of a leaf by the given rays of packet v; whether it changed
     /// anything.
     [[gnu::noinline]] bool decide(const float* triangles, uint32_t count, int i, int v,
@@ -207,9 +255,7 @@ private:
         Mask<N> hit;
         if constexpr (kDecides) {
             Triangle triangle;
-            const float* from = triangles + i;
-            for (float* vertex : {triangle.v0, triangle.v1, triangle.v2})
-                for (int k = 0; k < 3; ++k, from += count) vertex[k] = *from;
+            load(triangles, count, i, triangle);
             hit = precision.meet(triangle, Mask<N>::fromBits(lanes), t);
             if (!any(hit)) return false;
             hit = precision.comparable(prim, hit, t, best, query);
