@@ -27,11 +27,12 @@ float halfArea(const Aabb& box) {
 struct Binary {
     Aabb box;
     uint32_t first = 0, count = 0;
-    uint32_t left = 0; ///< the right child follows it; 0: none, for the root is no child
+    uint32_t left = 0; ///< the right child follows it
     bool leaf = false; ///< cheapest as one leaf
     /// To fill i slots of a wide node at the least cost: how many of them the left child takes; 0: it
-    /// is better to fill fewer.
+    /// is better to fill fewer. And how many where this node is made a wide node.
     std::array<uint8_t, kWideChildren + 1> share{};
+    uint8_t ownShare = 0;
 };
 
 /// Least cost of filling up to so many slots with a subtree.
@@ -54,10 +55,11 @@ public:
         if (tree.prims.empty()) return tree;
         tree.prims.shrink_to_fit();
         prims_ = tree.prims.data();
+        for (const uint32_t prim : tree.prims) tree.bounds.add(boxes_[prim]);
+        wholeArea_ = std::max(tree.bounds.halfArea(), std::numeric_limits<double>::min());
         binary_.reserve(tree.prims.size());
         binary_.emplace_back();
         divide(0, 0, uint32_t(tree.prims.size()), 0);
-        tree.bounds = binary_[0].box;
         fill(tree, 0);
         tree.nodes.shrink_to_fit();
         return tree;
@@ -99,11 +101,11 @@ private:
         binary_[node].left = left;
         const SlotCosts l = divide(left, first, middle - first, depth + 1);
         const SlotCosts r = divide(left + 1, middle, first + count - middle, depth + 1);
-        return share(binary_[node], l, r);
+        return distribute(binary_[node], l, r);
     }
 
     /// Distributes slots between two subtrees, for each number of them.
-    static SlotCosts share(Binary& node, const SlotCosts& left, const SlotCosts& right) {
+    SlotCosts distribute(Binary& node, const SlotCosts& left, const SlotCosts& right) const {
         SlotCosts costs;
         for (int slots = 2; slots <= kWideChildren; ++slots) {
             float least = std::numeric_limits<float>::infinity();
@@ -116,7 +118,8 @@ private:
             }
             costs[std::size_t(slots)] = least;
         }
-        const float area = halfArea(node.box);
+        node.ownShare = node.share[kWideChildren];
+        const float area = share(node.box);
         costs[1] = area * (kChildCost + kNodeCost) + costs[kWideChildren];
         if (node.count <= kWideLeafSize && !(costs[1] < leafCost(node.box, node.count))) {
             costs[1] = leafCost(node.box, node.count);
@@ -130,8 +133,10 @@ private:
         return costs;
     }
 
-    static float leafCost(const Aabb& box, uint32_t count) {
-        return halfArea(box) * (kChildCost + kLeafCost + kPrimitiveCost * float(count));
+    /// Of the rays that meet all, those that meet a box.
+    float share(const Aabb& box) const { return float(box.halfArea() / wholeArea_); }
+    float leafCost(const Aabb& box, uint32_t count) const {
+        return share(box) * (kChildCost + kLeafCost + kPrimitiveCost * float(count));
     }
 
     static float centre(const Aabb& box, int axis) {
@@ -206,7 +211,7 @@ private:
         if (binary_[binary].leaf)
             children[count++] = binary; // of the root alone
         else
-            collect(binary, kWideChildren, children, count);
+            part(binary, kWideChildren, binary_[binary].ownShare, children, count);
         for (int slot = 0; slot < kWideChildren; ++slot) {
             if (slot >= count) {
                 placeNothing(tree.nodes[wide], slot);
@@ -228,20 +233,21 @@ private:
     /// The subtrees that share so many slots of a wide node.
     void collect(uint32_t binary, int slots, uint32_t* children, int& count) const {
         const Binary& node = binary_[binary];
-        int left = 0;
-        if (node.left)
-            while (slots > 1 && !(left = node.share[std::size_t(slots)])) --slots;
-        if (slots == 1 || !left) {
+        while (slots > 1 && node.share[std::size_t(slots)] == 0) --slots;
+        if (slots == 1)
             children[count++] = binary;
-            return;
-        }
-        collect(node.left, left, children, count);
-        collect(node.left + 1, slots - left, children, count);
+        else
+            part(binary, slots, node.share[std::size_t(slots)], children, count);
+    }
+    void part(uint32_t binary, int slots, int left, uint32_t* children, int& count) const {
+        collect(binary_[binary].left, left, children, count);
+        collect(binary_[binary].left + 1, slots - left, children, count);
     }
 
     const std::vector<Aabb>& boxes_;
     uint32_t* prims_ = nullptr;
     std::vector<Binary> binary_;
+    double wholeArea_ = 1;
 };
 
 } // namespace

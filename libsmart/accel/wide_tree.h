@@ -22,9 +22,12 @@ struct WideTree {
     }
 };
 
-/// Builds it by the surface area heuristic over 32 bins an axis (Wald, "On fast construction of
-/// SAH-based bounding volume hierarchies", 2007), two children at a time, and then lets each node
-/// take in its largest descendants until it has sixteen. An empty box leaves a primitive out.
+/// Builds a binary tree by the surface area heuristic over 32 bins an axis (Wald, "On fast
+/// construction of SAH-based bounding volume hierarchies", 2007). Which of its subtrees become wide
+/// nodes, and which leaves, is found by dynamic programming over the slots of wide nodes, so that
+/// the expected cost is least (as Ylitie, Karras, Laine, "Efficient incoherent ray traversal on
+/// GPUs through compressed wide BVHs", 2017). An empty box leaves a primitive out. Throws
+/// std::bad_alloc.
 WideTree buildWideTree(const std::vector<Aabb>& boxes);
 
 } // namespace smart

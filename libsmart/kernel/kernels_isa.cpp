@@ -152,8 +152,17 @@ bool findApex(const TileLanes& legal, const Search<kPacketSize, M, NoCounts>* qu
         tile.apex[k] = float(from + towards * query[first].best[lane]);
         if (!(magnitude(Real<1>(tile.apex[k])).v <= 0x1p40f)) return false;
     }
-    for (int v = 0; v < kTileVectors; ++v)
-        if (legal.of[v]) __builtin_memcpy(tile.last[v], query[v].best, sizeof tile.last[v]);
+    for (int v = 0; v < kTileVectors; ++v) {
+        if (!legal.of[v]) continue;
+        __builtin_memcpy(tile.last[v], query[v].best, sizeof tile.last[v]);
+        const Mask<kPacketSize> on = Mask<kPacketSize>::fromBits(legal.of[v]);
+        for (int k = 0; k < 3; ++k) {
+            const R from = R::load(tile.rays[v].org[k]);
+            const R end = from + R::load(tile.rays[v].dir[k]) * R::load(query[v].best);
+            const R near = (magnitude(from) + R(magnitude(Real<1>(tile.apex[k])).v)) * R(0x1p-14f);
+            if (any(andNot(on, magnitude(end - R(tile.apex[k])) <= near))) return false;
+        }
+    }
     return true;
 }
 

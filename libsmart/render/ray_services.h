@@ -103,6 +103,8 @@ public:
 
     /// Finds what the rays of the given lanes meet.
     void findHits(RayGroup& rays, uint32_t lanes) const;
+    /// The same for the kTilePackets groups of neighbouring camera rays.
+    void findTileHits(RayGroup* groups, const uint32_t* lanes) const;
     /// The surface shader of what a ray hit; nullptr: there is none.
     const ShaderObject* findSurface(const Hit& hit);
     /// What the given rays see that met nothing.

@@ -63,7 +63,21 @@ void Scene::prepareTiles() const {
         tileTrees_ = TileTrees({}, {}, group_);
         tileBytes_.store(tileTrees_.bytes(), std::memory_order_relaxed);
         tileTrees_.show(view_);
+        tilesReady_.store(true, std::memory_order_release);
     });
+}
+
+bool Scene::readyForTiles(uint64_t rays) const {
+    if (tilesReady_.load(std::memory_order_acquire)) return true;
+    if (precision_ == Precision::Precise) return false;
+    constexpr uint64_t kPrimitivesOfRay = 4;
+    std::call_once(tilesPayOnce_, [this] {
+        const SceneStatistics sizes = smart::statistics(*this);
+        tilesPay_ = (sizes.triangles + sizes.instances) / kPrimitivesOfRay;
+    });
+    if (tileRays_.fetch_add(rays, std::memory_order_relaxed) + rays < tilesPay_) return false;
+    prepareTiles();
+    return true;
 }
 
 SceneStatistics statistics(const Scene& scene) {

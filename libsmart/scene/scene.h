@@ -21,10 +21,13 @@ public:
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
-    /// Makes what tiles of rays walk in all models reached, and over the instances, unless it
-    /// exists or the precision has no use for it. Thread-safe; to be called before tiles are traced.
+    /// Whether tiles of rays (KernelTable::intersectTile, occludedTile) may be traced; `rays` of
+    /// them are about to be. What tiles walk is made when so many have come that it pays: one for
+    /// four triangles. Until then, and always in precise mode, packets are traced. Thread-safe.
+    bool readyForTiles(uint64_t rays) const;
+    /// Makes it at once.
     void prepareTiles() const;
-    /// Bytes of the scene's own share of that; what models hold counts with them.
+    /// Bytes of the scene's own share of it; what models hold counts with them.
     std::size_t tileBytes() const { return tileBytes_.load(std::memory_order_relaxed); }
 
     const InstanceGroup& group() const { return group_; }
@@ -35,7 +38,10 @@ public:
 private:
     InstanceGroup group_;
     mutable ModelView view_{};
-    mutable std::once_flag tilesOnce_;
+    mutable std::once_flag tilesOnce_, tilesPayOnce_;
+    mutable std::atomic<bool> tilesReady_{false};
+    mutable std::atomic<uint64_t> tileRays_{0};
+    mutable uint64_t tilesPay_ = 0; ///< from so many rays on
     mutable TileTrees tileTrees_;
     mutable std::atomic<std::size_t> tileBytes_{0};
     Precision precision_;
