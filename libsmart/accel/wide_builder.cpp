@@ -29,8 +29,8 @@ struct Binary {
     uint32_t first = 0, count = 0;
     uint32_t left = 0; ///< the right child follows it
     bool leaf = false; ///< cheapest as one leaf
-    /// To fill i slots of a wide node at the least cost: how many of them the left child takes; 0: it
-    /// is better to fill fewer. And how many where this node is made a wide node.
+    /// To fill i slots of a wide node at the least cost: how many of them the left child takes; 0:
+    /// it is better to fill fewer. And how many where this node is made a wide node.
     std::array<uint8_t, kWideChildren + 1> share{};
     uint8_t ownShare = 0;
 };
@@ -142,9 +142,10 @@ private:
     static float centre(const Aabb& box, int axis) {
         return 0.5f * box.lo[axis] + 0.5f * box.hi[axis];
     }
+    /// Bins a unit of length; 0 where float can not say.
     static float binScale(const Aabb& centres, int axis) {
-        const float extent = centres.hi[axis] - centres.lo[axis];
-        return extent > 0 ? float(kBins) * 0.9999f / extent : 0.0f;
+        const float scale = float(kBins) * 0.9999f / (centres.hi[axis] - centres.lo[axis]);
+        return scale < std::numeric_limits<float>::infinity() ? scale : 0.0f;
     }
     static int binOf(float centre, float low, float scale) {
         return std::min(int((centre - low) * scale), kBins - 1);
@@ -170,8 +171,7 @@ private:
             }
         }
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(scale[axis] > 0) || !(scale[axis] < std::numeric_limits<float>::infinity()))
-                continue;
+            if (!(scale[axis] > 0)) continue;
             const auto& row = bins[std::size_t(axis)];
             float rightCost[kBins];
             Aabb box;

@@ -120,9 +120,10 @@ public:
     }
 
     /// Whether the rays are near enough together, and to their apex, to gain by being one beam,
-    /// all numbers so far from overflow that its bounds hold, and no ray goes beyond its apex.
+    /// all numbers so far from over- and underflow that its bounds hold, and no ray goes beyond its apex.
     bool isNarrow() const {
         return half_[0] <= 0.15f && half_[1] <= 0.15f && scale_ <= 0x1p38f &&
+               scale_ >= 0x1p-40f &&
                stray_ <= scale_ * 0x1p-14f && overshoot_ <= pad_;
     }
 

@@ -8,16 +8,16 @@
 namespace smart::SMART_ISA {
 
 /// With A, B, C the vertices as seen from the apex, sheared by the beam's centre, and D = (x, y, 1)
-/// a ray's slopes less the centre's: the edge functions of Woop, Benthin and Wald (2013) for the ray
+/// a ray's slopes less the centre's: its edge functions (Woop, Benthin, Wald 2013)
 /// are (B x C).D, (C x A).D and (A x B).D; the ray passes inside where all have the sign of their
 /// sum. With M = (B - A) x (C - A) and det = M.A, the plane is met at z = det / M.D. All are scaled
 /// here so that the inside is positive, and 1/w is stored for the plane.
 ///
 /// Bound of the edge functions. Let u = 2^-24; m the largest sheared x or y plus the beam's half
-/// width times Z, so no smaller than any coordinate sheared by a ray of the beam; Z the largest |z|;
+/// width times Z, no smaller than any coordinate sheared by a ray of the beam; Z the largest |z|;
 /// slopes are at most 1. The exact test decides by the sign of
 ///   E(a, b) = a_x b_y - a_y b_x,  with vertices sheared by the ray's slope.
-/// Both ways start from the same float differences v - o, if rays start at the apex. From there on a
+/// Both ways start from the same float differences v - o, if rays start at the apex. From there a
 /// sheared coordinate is off by
 ///   exact test:  u Z (rounded slope) + u Z (product) + u m (difference)        = 2 u Z + u m,
 ///   here:        u Z (product) + u m, and for the slopes 2 u Z + u m           = 3 u Z + 2 u m.
@@ -79,12 +79,13 @@ HWY_INLINE uint64_t EdgeFunctions::setUp(const Beam& beam, const float* corners,
     m = m + R(largerOf(beam.half(0), beam.half(1))) * deep;
     const R limit = m * (R(0x28p-24f) * deep + R(0x30p-24f) * m + R(slack)) + R(0x1p-120f);
     const R doubt = R(0x1p2f) * limit * thick + R(0x1p-18f) * wide * (thick * m + wide * deep);
-    const R inverse = R(1.0f) / max(magnitude(det), R(0x1p-120f));
-    const R error = doubt * inverse + R(0x1p-20f);
+    const R least(0x1p-110f), infinity(__builtin_inff()), zero(0.0f); // below: underflow
+    const R size = magnitude(det), inverse = R(1.0f) / max(size, least);
+    const R unknown(0x1p100f);
+    const R error = select(size >= least, min(doubt * inverse + R(0x1p-20f), unknown), unknown);
     const Mask<N> regular = error <= R(0x1p-4f);
     const R one = select(det < R(0.0f), R(-beam.depthSign()), R(beam.depthSign()));
     const R flip = select(error <= R(0.25f), one, R(0.0f)); // 0: the sign is not known
-    const R infinity(__builtin_inff()), zero(0.0f);
     const R scale = flip * inverse;
     const R dx = select(regular, mx * scale, zero), dy = select(regular, my * scale, zero);
     const R dz = select(regular, mz * scale, infinity);

@@ -230,7 +230,8 @@ private:
                 const auto normal = hn::Set(real, n[k]);
                 const auto org = hn::PromoteTo(real, hn::Load(narrow, rays.org[k] + first));
                 const auto dir = hn::PromoteTo(real, hn::Load(narrow, rays.dir[k] + first));
-                depth = hn::Add(depth, hn::Mul(hn::Sub(hn::Set(real, triangle.v0[k]), org), normal));
+                const auto towards = hn::Sub(hn::Set(real, triangle.v0[k]), org);
+                depth = hn::Add(depth, hn::Mul(towards, normal));
                 slope = hn::Add(slope, hn::Mul(dir, normal));
             }
             // A distance that float could round to zero stays.

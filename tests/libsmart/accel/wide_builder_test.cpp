@@ -127,7 +127,7 @@ TEST(WideBuilder, HardShapes) {
 TEST(WideBuilder, WideNodesAreWellFilled) {
     const std::size_t count = 20000;
     const WideTree tree = buildWideTree(scattered(count, 1, 6));
-    EXPECT_LE(tree.nodes.size() * 40, count); // 40 primitives a node, at least
+    EXPECT_LE(tree.nodes.size() * 30, count); // 30 primitives a node, at least
     EXPECT_EQ(tree.bytes(), tree.nodes.capacity() * 448 + tree.prims.capacity() * 4);
 }
 
