@@ -15,6 +15,8 @@
 namespace smart {
 
 struct Model;
+struct FixedMaterials;
+struct FixedState;
 
 /// Reshading: which shader stands in for which, by shader index. Immutable and shared.
 struct ShaderReplacement {
@@ -39,7 +41,8 @@ struct InheritedAttributes {
     glm::vec4 color{1.0f};
     glm::vec3 normal{0.0f, 0.0f, 1.0f};
     glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
-    bool ownColor = true, ownNormal = true, ownTexCoord = true;
+    std::shared_ptr<const FixedMaterials> materials; ///< nullptr: OpenGL's initial ones
+    bool ownColor = true, ownNormal = true, ownTexCoord = true, ownMaterials = true;
 };
 
 /// A model placed in its parent's space (another model's, or the scene's).
@@ -49,6 +52,9 @@ struct Instance {
     uint32_t objectId = 0;
     InheritedAttributes inherited;
     std::shared_ptr<const ShaderReplacement> replacement; ///< nullptr: none
+    /// What fixed function makes of it, in the scene's instances; nullptr: the vertices' colour,
+    /// the nearest hit.
+    std::shared_ptr<const FixedState> state;
 };
 
 /// Instances with the tree over them; what a scene is, and what an object that nests others adds

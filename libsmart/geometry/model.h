@@ -25,9 +25,12 @@ struct ShadingData {
     std::vector<std::array<uint32_t, 3>> corners;
     /// Attributes of vertices first..; vertices before the first take the instance's.
     uint32_t firstNormal = kNone, firstTexCoord = kNone, firstColor = kNone;
+    uint32_t firstMaterial = kNone;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> texCoords;
     std::vector<glm::vec4> colors;
+    std::vector<uint32_t> vertexMaterials; ///< numbers in materials
+    std::vector<std::shared_ptr<const FixedMaterials>> materials;
     /// Shader slot of each triangle (empty: all 0), and the shader index of each slot in order of
     /// first use.
     std::vector<uint32_t> slots;
