@@ -38,7 +38,14 @@ void guarded(const char* function, Body&& body) noexcept {
     }
 }
 
-/// The same for calls with a result.
+/// For the calls that display lists record. The body holds all that it needs by value (also what
+/// the call's pointers point to), as a list runs it again later; `function` lives forever.
+template <class Body>
+void recorded(const char* function, Body body) noexcept {
+    guarded(function, body);
+}
+
+/// The same as guarded() for calls with a result.
 template <class Result, class Body>
 Result guardedOr(Result failure, const char* function, Body&& body) noexcept {
     Context* const context = currentContext();
