@@ -11,6 +11,8 @@
 
 namespace smart {
 
+class Texture;
+
 inline constexpr int kFixedLights = 8;
 inline constexpr int kFixedClipPlanes = 6;
 
@@ -114,7 +116,9 @@ struct TexEnvCombine {
 /// The texture unit.
 struct FixedTexture {
     bool enabled1D = false, enabled2D = false; ///< 2D goes before 1D
-    uint32_t texture1D = 0, texture2D = 0;     ///< ids in the frame's TextureTable
+    uint32_t texture1D = 0, texture2D = 0;     ///< what is bound
+    /// The enabled one as it was when the block was made; nullptr: none, or an incomplete one.
+    std::shared_ptr<const Texture> image;
     TexEnvMode mode = TexEnvMode::Modulate;
     glm::vec4 color{0.0f};
     float lodBias = 0.0f;
@@ -187,6 +191,9 @@ struct FixedState {
     FixedTexture texture;
     FixedFragmentOps ops;
     FixedRaster raster;
+    /// Where blocks of loose geometry need the space that vertices were given in (for
+    /// TexGenMode::ObjectLinear or rescaleNormal): what they were multiplied by.
+    glm::dmat4 looseModelView{1.0};
 
     FixedState();
     bool operator==(const FixedState&) const = default;
