@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "compat/recorder/fixed_state_recorder.h"
 #include "libsmart/shading/shader_class.h"
 
 namespace smart::compat {
@@ -59,6 +60,10 @@ void GeometryRecording::reserveVertex(const BoundShader& shader) {
     if (given.normal) makeRoom(shading.normals, 1);
     if (given.texCoord) makeRoom(shading.texCoords, 1);
     if (given.color) makeRoom(shading.colors, 1);
+    if (given.materials) {
+        makeRoom(shading.vertexMaterials, 1);
+        makeRoom(shading.materials, 1);
+    }
     makeRoom(builder_.triangles, kTriangles);
     makeRoom(shading.corners, kTriangles);
     makeRoom(shading.slots, kTriangles);
@@ -88,6 +93,21 @@ uint32_t GeometryRecording::slotOf(const BoundShader& shader) noexcept {
         if (!uses(usedShaders_, index)) usedShaders_.push_back({index, shader.id});
     }
     return lastSlot_;
+}
+
+uint32_t GeometryRecording::materialsNumber(
+    const std::shared_ptr<const FixedMaterials>& materials) noexcept {
+    // Programs go back and forth between few materials: the last ones are looked through.
+    constexpr std::size_t kLookedAt = 8;
+    const std::shared_ptr<const FixedMaterials>& wanted =
+        materials ? materials : initialMaterials();
+    auto& list = builder_.shading.materials;
+    for (std::size_t back = 1; back <= std::min(list.size(), kLookedAt); ++back) {
+        const auto& known = list[list.size() - back];
+        if (known == wanted || *known == *wanted) return uint32_t(list.size() - back);
+    }
+    list.push_back(wanted);
+    return uint32_t(list.size() - 1);
 }
 
 void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
@@ -124,6 +144,9 @@ void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attr
     latch(given.normal, shading.firstNormal, shading.normals, normal);
     latch(given.texCoord, shading.firstTexCoord, shading.texCoords, attributes.texCoord);
     latch(given.color, shading.firstColor, shading.colors, attributes.color);
+    if (given.materials)
+        latch(true, shading.firstMaterial, shading.vertexMaterials,
+              materialsNumber(attributes.materials));
     if (!shader.vertexBlock.empty()) {
         shading.vertexBlocks.resize(vertexCount_, kNone);
         if (lastVertexBlock_.stamp != shader.vertexStamp)
@@ -154,7 +177,8 @@ ModelPtr GeometryRecording::compile(const KdBuildOptions& options) {
     std::vector<std::array<uint32_t, 3>> corners;
     std::vector<uint32_t> slots;
     const bool perVertex = shading.firstNormal != kNone || shading.firstTexCoord != kNone ||
-                           shading.firstColor != kNone || !shading.vertexBlocks.empty();
+                           shading.firstColor != kNone || shading.firstMaterial != kNone ||
+                           !shading.vertexBlocks.empty();
     if (!perVertex) corners.swap(shading.corners);
     if (shading.shaders.size() <= 1) slots.swap(shading.slots);
     ModelPtr model;

@@ -52,6 +52,8 @@ private:
     void reserveVertex(const BoundShader& shader);
     void addTriangle(const AssembledTriangle& triangle, const BoundShader& shader) noexcept;
     uint32_t slotOf(const BoundShader& shader) noexcept;
+    /// Number of the materials among those of the geometry; room was made.
+    uint32_t materialsNumber(const std::shared_ptr<const FixedMaterials>& materials) noexcept;
 
     ModelBuilder builder_;
     PrimitiveAssembler assembler_;

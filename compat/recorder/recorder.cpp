@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/recorder.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <iterator>
+
 #include "compat/recorder/transforms.h"
 #include "libsmart/base/error.h"
 
 namespace smart::compat {
+
+namespace {
+
+bool usesNormals(const FixedState& state) {
+    const TexGen* const begin = std::begin(state.texture.generate);
+    return state.lighting.enabled ||
+           std::any_of(begin, std::end(state.texture.generate),
+                       [](const TexGen& coordinate) { return coordinate.enabled; });
+}
+
+} // namespace
 
 void Recorder::requireOutsidePrimitive() const {
     if (insidePrimitive_)
@@ -18,10 +33,37 @@ void Recorder::requireOutsideObject() const {
 
 void Recorder::begin(Primitive primitive) {
     if (insidePrimitive_) throw Error(ErrorCode::InvalidOperation, "begin without an end before");
-    GeometryRecording& geometry = open_ ? open_->recording : scene().loose;
-    geometry.begin(primitive);
-    normalMatrix_ = makeNormalMatrix(matrices_.modelView());
+    glm::dmat3 normalMatrix = makeNormalMatrix(matrices_.modelView());
+    // Loose geometry is kept in eye space, where fixed function finds nothing left to rescale.
+    if (!open_ && fixedState_.state().lighting.rescaleNormal) {
+        const double length = glm::length(normalMatrix[2]);
+        if (length > 0) normalMatrix /= length;
+    }
+    if (open_)
+        open_->recording.begin(primitive);
+    else
+        beginLoose(primitive);
+    normalMatrix_ = normalMatrix;
     insidePrimitive_ = true;
+}
+
+void Recorder::beginLoose(Primitive primitive) {
+    FixedStatePtr state = looseState();
+    if (state != scene().looseState) {
+        endLooseRun();
+        scene().looseState = std::move(state);
+    }
+    scene().loose.begin(primitive);
+}
+
+FixedStatePtr Recorder::looseState() {
+    return fixedState_.block({0, textures_.bound(), matrices_.stack(MatrixMode::Texture).top(),
+                              matrices_.modelView()});
+}
+
+FixedStatePtr Recorder::instanceState(const Matrices& matrices) {
+    return fixedState_.block(
+        {0, textures_.bound(), matrices.stack(MatrixMode::Texture).top(), glm::dmat4(1.0)});
 }
 
 void Recorder::end() {
@@ -45,10 +87,14 @@ void Recorder::vertex(const glm::dvec4& position) {
     }
     GeometryRecording& loose = scene().loose;
     if (loose.empty()) { // a run starts
-        loose.given = {false, normalEverGiven_, false};
+        // Fixed function sees the initial normal too, moved by the matrix of now.
+        const FixedStatePtr& state = scene().looseState;
+        loose.given = {};
+        loose.given.normal = normalEverGiven_ || (state && usesNormals(*state));
         scene().looseInherited.color = attributes_.color;
         scene().looseInherited.normal = attributes_.normal;
         scene().looseInherited.texCoord = attributes_.texCoord;
+        scene().looseInherited.materials = attributes_.materials;
     }
     loose.vertex(place, attributes_, normal, shader);
     ++scene().additions;
@@ -70,6 +116,23 @@ void Recorder::texCoord(const glm::vec4& texCoord) {
     else if (texCoord != attributes_.texCoord)
         scene().loose.given.texCoord = true;
     attributes_.texCoord = texCoord;
+}
+
+void Recorder::setMaterials(const FixedMaterials& materials) {
+    const FixedMaterials& before =
+        attributes_.materials ? *attributes_.materials : *initialMaterials();
+    const bool changes = materials != before;
+    if (changes) attributes_.materials = std::make_shared<const FixedMaterials>(materials);
+    if (open_)
+        open_->recording.given.materials = true;
+    else if (changes)
+        scene().loose.given.materials = true;
+}
+
+FixedMaterials Recorder::materials() const {
+    const FixedMaterials& kept =
+        attributes_.materials ? *attributes_.materials : *initialMaterials();
+    return withColor(kept, fixedState_.state().lighting, attributes_.color);
 }
 
 void Recorder::normal(const glm::vec3& normal) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compat/recorder/attributes.h"
+#include "compat/recorder/fixed_state_recorder.h"
 #include "compat/recorder/frame_settings.h"
 #include "compat/recorder/geometry_recording.h"
 #include "compat/recorder/matrix_stack.h"
@@ -44,6 +45,13 @@ public:
     void color(const glm::vec4& color);
     void normal(const glm::vec3& normal);
     void texCoord(const glm::vec4& texCoord);
+    /// The materials of both sides; legal everywhere.
+    void setMaterials(const FixedMaterials& materials);
+    /// As they are now: what follows the current colour is brought up to date.
+    FixedMaterials materials() const;
+    void setEdgeFlag(bool flag) { attributes_.edgeFlag = flag; }
+    void setSecondaryColor(const glm::vec4& color) { attributes_.secondaryColor = color; }
+    void setFogCoordinate(float coordinate) { attributes_.fogCoordinate = coordinate; }
     const Attributes& attributes() const { return attributes_; }
 
     // State; outside primitives.
@@ -53,6 +61,9 @@ public:
     PixelStore& pixelStore() { return requireOutsidePrimitive(), pixelStore_; }
     BuildHints& buildHints() { return requireOutsidePrimitive(), buildHints_; }
     FrameSettings& frameSettings() { return requireOutsidePrimitive(), frameSettings_; }
+    /// To be changed.
+    FixedStateRecorder& fixedState() { return requireOutsideObject(), fixedState_; }
+    const FixedState& fixedStateNow() const { return fixedState_.state(); }
     const ModelCompiler& compiler() const { return compiler_; }
     void setBuildThreads(unsigned threads) { compiler_.setThreads(threads); }
     /// Legal everywhere.
@@ -119,8 +130,15 @@ private:
     std::shared_ptr<Shader> shaderOfKind(uint32_t id, RTenum kind, const char* kindName) const;
     /// The loose run under way as an instance; the run stays open. Nothing without triangles.
     std::optional<Instance> looseInstance();
+    /// Makes the loose run, if there is one, an instance.
+    void endLooseRun();
     std::vector<Instance> allInstances();
     void resumeLooseRun() noexcept;
+
+    /// The state that instances placed now have, or loose geometry begun now.
+    FixedStatePtr instanceState(const Matrices& matrices);
+    FixedStatePtr looseState();
+    void beginLoose(Primitive primitive);
 
     bool insidePrimitive_ = false;
     Attributes attributes_;
@@ -131,6 +149,7 @@ private:
     PixelStore pixelStore_;
     BuildHints buildHints_;
     FrameSettings frameSettings_;
+    FixedStateRecorder fixedState_;
     ModelCompiler compiler_;
 
     std::map<uint32_t, Object> objects_;

@@ -54,6 +54,7 @@ void Recorder::resumeLooseRun() noexcept {
     given.color |= attributes_.color != scene().looseInherited.color;
     given.normal |= normalEverGiven_;
     given.texCoord |= attributes_.texCoord != scene().looseInherited.texCoord;
+    given.materials |= attributes_.materials != scene().looseInherited.materials;
 }
 
 std::shared_ptr<Shader> Recorder::shaderOfKind(uint32_t id, RTenum kind,

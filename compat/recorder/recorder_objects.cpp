@@ -10,6 +10,14 @@
 
 namespace smart::compat {
 
+namespace {
+
+InheritedAttributes inheritedFrom(const Attributes& attributes) {
+    return {attributes.color, attributes.normal, attributes.texCoord, attributes.materials};
+}
+
+} // namespace
+
 const Recorder::Object& Recorder::object(uint32_t id) const {
     const auto found = objects_.find(id);
     if (found == objects_.end())
@@ -59,7 +67,8 @@ void Recorder::endObject() {
         instance.toParent = makeAffine(open_->savedMatrices.modelView());
         instance.objectId = open_->id;
         const Attributes& attributes = open_->savedAttributes;
-        instance.inherited = {attributes.color, attributes.normal, attributes.texCoord};
+        instance.inherited = inheritedFrom(attributes);
+        instance.state = instanceState(open_->savedMatrices);
         placeInScene(std::move(instance), compile);
     } else {
         compile(instance);
@@ -127,10 +136,11 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
     instance.model = placed.model;
     instance.toParent = makeAffine(matrices_.modelView());
     instance.objectId = id;
-    instance.inherited = {attributes_.color, attributes_.normal, attributes_.texCoord};
+    instance.inherited = inheritedFrom(attributes_);
     const bool reshaded = replacement != nullptr;
     instance.replacement = std::move(replacement);
     if (!open_) {
+        instance.state = instanceState(matrices_);
         placeInScene(std::move(instance), [](Instance&) {});
         return;
     }
@@ -141,6 +151,7 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
     instance.inherited.ownColor = given.color;
     instance.inherited.ownNormal = given.normal;
     instance.inherited.ownTexCoord = given.texCoord;
+    instance.inherited.ownMaterials = given.materials;
     open_->recording.addChild(std::move(instance), placed.model->levels,
                               reshaded ? shaders : placed.shaders);
 }
@@ -165,7 +176,21 @@ std::optional<Instance> Recorder::looseInstance() {
     Instance instance;
     instance.model = compiler_.compile(copy);
     instance.inherited = scene().looseInherited;
+    instance.state = scene().looseState;
     return instance;
+}
+
+void Recorder::endLooseRun() {
+    if (scene().loose.triangleCount() > 0) {
+        std::vector<Instance>& list = scene().instances;
+        if (list.capacity() == list.size()) list.reserve(2 * list.capacity() + 2);
+        Instance instance;
+        instance.model = compiler_.compile(scene().loose); // the last step that may fail
+        instance.inherited = scene().looseInherited;
+        instance.state = scene().looseState;
+        list.push_back(std::move(instance));
+    }
+    scene().loose = GeometryRecording();
 }
 
 std::vector<Instance> Recorder::allInstances() {

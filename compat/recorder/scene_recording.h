@@ -7,6 +7,7 @@
 
 #include "compat/recorder/geometry_recording.h"
 #include "libsmart/scene/scene.h"
+#include "libsmart/shading/fixed_state.h"
 
 namespace smart::compat {
 
@@ -17,6 +18,7 @@ struct SceneRecording {
     /// the first vertex.
     GeometryRecording loose;
     InheritedAttributes looseInherited;
+    FixedStatePtr looseState; ///< of all of the run
 
     std::vector<std::shared_ptr<Shader>> lights;
     std::shared_ptr<Shader> camera, environment, renderingObject;

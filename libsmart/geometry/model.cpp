@@ -55,7 +55,7 @@ std::size_t ShadingData::bytes() const {
     return heldBytes(corners) + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
            heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
            heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
-           heldBytes(keepAlive);
+           heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(keepAlive);
 }
 
 std::size_t Model::bytes() const {
