@@ -5,18 +5,50 @@
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <span>
+#include <vector>
 
+#include "libsmart/render/framebuffer.h"
 #include "libsmart/shading/fixed_state.h"
 
 namespace smart {
 
 /// A hit, or a pixel primitive, as one pixel sees it.
 struct Fragment {
-    uint64_t order = 0;              ///< of submission in its layer
+    uint64_t order = 0;                ///< of submission in its layer, see below
     const FixedState* state = nullptr; ///< nullptr: depth test RT_LESS, nothing else
-    float depth = 1.0f;              ///< window depth, offset included
-    glm::vec4 color{0.0f};           ///< textured and fogged, not clamped
-    uint32_t source = 0;             ///< the maker's own: which hit it was
+    float depth = 1.0f;                ///< window depth, offset included, 0 to 1
+    glm::vec4 color{0.0f};             ///< textured and fogged, not clamped
+    uint32_t source = 0xFFFFFFFFu;     ///< which hit of a ray it was; all ones: none
+};
+
+/// The order of what is submitted between the instances of a layer: hits of instance i come after
+/// fragments of place i, which were submitted before the instance, and before those of place i + 1.
+/// `number` counts inside the place.
+constexpr uint64_t orderBeforeInstance(uint32_t place, uint32_t number) {
+    return uint64_t(place) << 33 | number;
+}
+constexpr uint64_t orderOfInstance(uint32_t instance, uint32_t number) {
+    return uint64_t(instance) << 33 | uint64_t(1) << 32 | number;
+}
+
+/// The smallest step of window depth, which polygon offset counts in.
+inline constexpr float kDepthUnit = 0x1p-24f;
+
+/// A fragment of a pixel of a tile: entry j * kTileSize + i, as in TilePixels.
+struct PixelFragment {
+    uint16_t entry = 0;
+    Fragment fragment;
+};
+
+/// What covers pixels without rays: points, lines, bitmaps and drawn pixels of one layer.
+/// Immutable; any threads may ask at once.
+class FragmentSource {
+public:
+    virtual ~FragmentSource() = default;
+    /// Appends what covers pixels of the tile, of a pixel in any order; fragments cover all samples
+    /// of their pixel. They may lie outside of the viewport; the layer's scissor is the caller's
+    /// business.
+    virtual void cover(const Tile& tile, std::vector<PixelFragment>& fragments) const = 0;
 };
 
 /// A pixel's place in the buffers.
