@@ -60,6 +60,8 @@ struct ModelView {
     /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while
     /// childTree's box still holds.
     uint32_t childCount;
+    /// Of a scene, not 0: of hits at equal distance the last one counts, not the first.
+    uint32_t lastOfEqual;
 };
 
 } // namespace smart
