@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "compat/recorder/display_lists.h"
 #include "compat/recorder/error_state.h"
 #include "compat/recorder/frame_driver.h"
 #include "compat/recorder/recorder.h"
@@ -18,9 +19,11 @@ public:
     Recorder& recorder() { return recorder_; }
     FrameDriver& frames() { return frames_; }
     ErrorState& errors() { return errors_; }
+    DisplayLists& lists() { return lists_; }
 
 private:
     ErrorState errors_;
+    DisplayLists lists_;
     Recorder recorder_;
     FrameDriver frames_; // last: its end waits for frames that show what the recorder made
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "compat/recorder/attributes.h"
+#include "compat/recorder/compiled_run.h"
 #include "compat/recorder/fixed_state_recorder.h"
 #include "compat/recorder/frame_settings.h"
 #include "compat/recorder/geometry_recording.h"
@@ -83,6 +85,15 @@ public:
     /// Ids of the shaders of an object in order of first use.
     const std::vector<UsedShader>& objectShaders(uint32_t id) const;
 
+    // Runs of primitives of display lists, each an object without an id.
+    /// Whether runs can be placed here and now; else their calls are to be made one by one.
+    bool canPlaceRuns() const;
+    /// Makes the calls as in an object, of which only the model is left. What a call throws comes
+    /// through.
+    CompiledRun compileRun(const std::function<void()>& calls);
+    /// One that fits the bound shader, where runs can be placed.
+    void placeRun(const CompiledRun& run);
+
     // Scenes. What follows acts on the bound one, as everything that adds to a frame does.
     uint32_t newScene();
     void bindScene(uint32_t id);
@@ -119,6 +130,8 @@ private:
     SceneRecording& scene() { return scenes_.bound(); }
     const Object& object(uint32_t id) const;
     void openObject(uint32_t id, ObjectMode mode);
+    /// Back to what the object under definition found.
+    void closeObject() noexcept;
     /// `shaders`: those that the instance uses in the end.
     void place(uint32_t id, std::shared_ptr<const ShaderReplacement> replacement,
                const std::vector<UsedShader>& shaders);

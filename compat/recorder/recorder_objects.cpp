@@ -16,6 +16,14 @@ InheritedAttributes inheritedFrom(const Attributes& attributes) {
     return {attributes.color, attributes.normal, attributes.texCoord, attributes.materials};
 }
 
+std::shared_ptr<const ShaderReplacement> replacementOfAll(const std::shared_ptr<Shader>& by) {
+    auto replacement = std::make_shared<ShaderReplacement>();
+    replacement->all = true;
+    replacement->allBy = by->index();
+    replacement->keepAlive.push_back(by);
+    return replacement;
+}
+
 } // namespace
 
 const Recorder::Object& Recorder::object(uint32_t id) const {
@@ -76,6 +84,10 @@ void Recorder::endObject() {
     const auto old = objects_.find(open_->id);
     if (old != objects_.end()) objects_.erase(old);
     objects_.insert(made.extract(made.begin()));
+    closeObject();
+}
+
+void Recorder::closeObject() noexcept {
     matrices_ = open_->savedMatrices;
     attributes_ = open_->savedAttributes;
     open_.reset();
@@ -102,11 +114,7 @@ const BoundShaderPtr& Recorder::surface(uint32_t id) const {
 void Recorder::instantiateWithShader(uint32_t id, uint32_t shader) {
     requireOutsidePrimitive();
     const BoundShaderPtr& by = surface(shader);
-    const auto replacement = std::make_shared<ShaderReplacement>();
-    replacement->all = true;
-    replacement->allBy = by->shader->index();
-    replacement->keepAlive.push_back(by->shader);
-    place(id, replacement, {{by->shader->index(), by->id}});
+    place(id, replacementOfAll(by->shader), {{by->shader->index(), by->id}});
 }
 
 void Recorder::instantiateWithShaders(uint32_t id, std::span<const uint32_t> shaders) {
@@ -154,6 +162,18 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
     instance.inherited.ownMaterials = given.materials;
     open_->recording.addChild(std::move(instance), placed.model->levels,
                               reshaded ? shaders : placed.shaders);
+}
+
+void Recorder::placeRun(const CompiledRun& run) {
+    if (run.model->triangles.empty()) return;
+    Instance instance;
+    instance.model = run.model;
+    instance.toParent = makeAffine(matrices_.modelView());
+    instance.inherited = inheritedFrom(attributes_);
+    instance.state = instanceState(matrices_);
+    const std::shared_ptr<Shader>& bound = shaders_.bound().shader;
+    if (run.shader != bound->index()) instance.replacement = replacementOfAll(bound);
+    placeInScene(std::move(instance), [](Instance&) {});
 }
 
 template <class Complete>
