@@ -22,7 +22,7 @@ struct FixedVertex {
     glm::vec4 color{1.0f};
     glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
     const FixedMaterials* materials = nullptr; ///< nullptr: OpenGL's initial ones
-    double normalScale = 1.0;                  ///< rescaleFactor() of the model-view matrix
+    double normalScale = 1.0;                  ///< rescaleFactor() of the instance's matrices
     float fogCoordinate = 0.0f;
 };
 

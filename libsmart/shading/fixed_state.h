@@ -191,9 +191,9 @@ struct FixedState {
     FixedTexture texture;
     FixedFragmentOps ops;
     FixedRaster raster;
-    /// Where blocks of loose geometry need the space that vertices were given in (for
-    /// TexGenMode::ObjectLinear or rescaleNormal): what they were multiplied by.
-    glm::dmat4 looseModelView{1.0};
+    /// What lighting.rescaleNormal asks for beside the instance's matrix: loose geometry went
+    /// through its matrix before.
+    double normalScale = 1.0;
 
     FixedState();
     bool operator==(const FixedState&) const = default;
