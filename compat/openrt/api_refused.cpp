@@ -212,16 +212,6 @@ RTAPI void RTAPIENTRY rtGetQueryObjectiv(RTuint, RTenum, RTint *) { refused("rtG
 RTAPI void RTAPIENTRY rtGetQueryObjectuiv(RTuint, RTenum,
     RTuint *) { refused("rtGetQueryObjectuiv"); }
 
-// Display lists
-RTAPI RTboolean RTAPIENTRY rtIsList(RTuint) { refused("rtIsList"); return RT_FALSE; }
-RTAPI void RTAPIENTRY rtDeleteLists(RTuint, RTsizei) { refused("rtDeleteLists"); }
-RTAPI RTuint RTAPIENTRY rtGenLists(RTsizei) { refused("rtGenLists"); return 0; }
-RTAPI void RTAPIENTRY rtNewList(RTuint, RTenum) { refused("rtNewList"); }
-RTAPI void RTAPIENTRY rtEndList(void) { refused("rtEndList"); }
-RTAPI void RTAPIENTRY rtCallList(RTuint) { refused("rtCallList"); }
-RTAPI void RTAPIENTRY rtCallLists(RTsizei, RTenum, const void *) { refused("rtCallLists"); }
-RTAPI void RTAPIENTRY rtListBase(RTuint) { refused("rtListBase"); }
-
 // Lighting and materials
 RTAPI void RTAPIENTRY rtShadeModel(RTenum) { refused("rtShadeModel"); }
 RTAPI void RTAPIENTRY rtLightf(RTenum, RTenum, RTfloat) { refused("rtLightf"); }

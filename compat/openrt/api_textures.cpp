@@ -107,7 +107,7 @@ RTAPI void RTAPIENTRY rtDeleteTextures(RTsizei n, const RTuint* textures) {
 }
 
 RTAPI void RTAPIENTRY rtBindTexture(RTenum target, RTuint texture) {
-    guarded(__func__, [&](Context& c) {
+    recorded(__func__, [=](Context& c) {
         TextureStore& textures = c.recorder().textures();
         checkTextureTarget(target);
         textures.bind(texture);

@@ -29,6 +29,8 @@ void vertex(const char* function, const T* v) noexcept {
         requirePointer(v, "v");
         glm::dvec4 position(0.0, 0.0, 0.0, 1.0);
         for (int k = 0; k < n; ++k) position[k] = v[k];
+        ListRecording* const list = c.lists().recording();
+        if (list && !list->vertex(position)) return;
         c.recorder().vertex(position);
     });
 }
@@ -39,6 +41,8 @@ void normal(const char* function, const T* v) noexcept {
         requirePointer(v, "v");
         glm::vec3 value(0.0f);
         for (int k = 0; k < (n < 3 ? n : 3); ++k) value[k] = normalised(v[k]);
+        ListRecording* const list = c.lists().recording();
+        if (list && !list->normal(value)) return;
         c.recorder().normal(value);
     });
 }
@@ -49,6 +53,8 @@ void texCoord(const char* function, const T* v) noexcept {
         requirePointer(v, "v");
         glm::vec4 value(0.0f, 0.0f, 0.0f, 1.0f);
         for (int k = 0; k < n; ++k) value[k] = float(v[k]);
+        ListRecording* const list = c.lists().recording();
+        if (list && !list->texCoord(value)) return;
         c.recorder().texCoord(value);
     });
 }
@@ -59,6 +65,8 @@ void color(const char* function, const T* v) noexcept {
         requirePointer(v, "v");
         glm::vec4 value(1.0f);
         for (int k = 0; k < n; ++k) value[k] = normalised(v[k]);
+        ListRecording* const list = c.lists().recording();
+        if (list && !list->color(value)) return;
         c.recorder().color(value);
     });
 }

@@ -6,6 +6,7 @@
  *   rt_core.h      start and end, contexts, errors, settings of the library
  *   rt_state.h     matrices, current values, enables, queries of state
  *   rt_objects.h   primitives, objects, instances
+ *   rt_lists.h     display lists
  *   rt_shaders.h   shader classes, shaders, their parameters
  *   rt_textures.h  images for shaders
  *   rt_frame.h     frame buffers, what a frame consists of, rendering
@@ -49,6 +50,7 @@
 #include "openrt/rt_core.h"
 #include "openrt/rt_frame.h"
 #include "openrt/rt_gl.h"
+#include "openrt/rt_lists.h"
 #include "openrt/rt_objects.h"
 #include "openrt/rt_query.h"
 #include "openrt/rt_queue.h"

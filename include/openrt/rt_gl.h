@@ -188,16 +188,6 @@ RTAPI void RTAPIENTRY rtGetQueryiv(RTenum target, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetQueryObjectiv(RTuint id, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetQueryObjectuiv(RTuint id, RTenum pname, RTuint *params);
 
-/* Display lists */
-RTAPI RTboolean RTAPIENTRY rtIsList(RTuint list);
-RTAPI void RTAPIENTRY rtDeleteLists(RTuint list, RTsizei range);
-RTAPI RTuint RTAPIENTRY rtGenLists(RTsizei range);
-RTAPI void RTAPIENTRY rtNewList(RTuint list, RTenum mode);
-RTAPI void RTAPIENTRY rtEndList(void);
-RTAPI void RTAPIENTRY rtCallList(RTuint list);
-RTAPI void RTAPIENTRY rtCallLists(RTsizei n, RTenum type, const void *lists);
-RTAPI void RTAPIENTRY rtListBase(RTuint base);
-
 /* Lighting and materials */
 RTAPI void RTAPIENTRY rtShadeModel(RTenum mode);
 RTAPI void RTAPIENTRY rtLightf(RTenum light, RTenum pname, RTfloat param);
