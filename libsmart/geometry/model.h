@@ -31,6 +31,10 @@ struct ShadingData {
     std::vector<glm::vec4> colors;
     std::vector<uint32_t> vertexMaterials; ///< numbers in materials
     std::vector<std::shared_ptr<const FixedMaterials>> materials;
+    /// The corner of each triangle that flat shading takes; from kOfNext on, a corner of the
+    /// triangle after it. Empty: the last one of each.
+    std::vector<uint8_t> provoking;
+    static constexpr uint8_t kOfNext = 3, kLastCorner = 2;
     /// Shader slot of each triangle (empty: all 0), and the shader index of each slot in order of
     /// first use.
     std::vector<uint32_t> slots;

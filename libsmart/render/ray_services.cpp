@@ -12,6 +12,13 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// The order in which triangles were given: a model's own before those of its children.
+bool submittedBefore(const Hit& a, const Hit& b) {
+    for (uint32_t level = 0; level < a.levels && level < b.levels; ++level)
+        if (a.path[level] != b.path[level]) return a.path[level] < b.path[level];
+    return a.levels != b.levels ? a.levels < b.levels : a.triangle < b.triangle;
+}
+
 template <class Vector>
 void copy(float (&to)[3], const Vector& from) {
     for (int k = 0; k < 3; ++k) to[k] = from[k];
@@ -31,6 +38,7 @@ RayServices::RayServices(const Frame& frame, TilePixels& counters, ShadingForm f
     : frame_(frame),
       shading_(frame.shading()),
       counters_(counters),
+      fixed_(frame),
       kernels_(kernels()),
       precision_(std::size_t(frame.scene->precision())),
       recursionLimit_(std::min(frame.recursionLimit, kMaxRecursion)),
@@ -65,14 +73,20 @@ void RayServices::atNoSurface(PixelSample& sample, PointState& point) {
 }
 
 void RayServices::atHit(const Ray& ray, const Hit& hit, const PathState& path, PointState& point) {
-    beginState(ray, path, point);
     point.chain = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
+    SurfaceTriangle triangle(point.chain);
+    placeAt(ray, hit, path, triangle, point);
+}
+
+void RayServices::placeAt(const Ray& ray, const Hit& hit, const PathState& path,
+                          SurfaceTriangle& triangle, PointState& point) {
+    beginState(ray, path, point);
     point.start.cone = path.cone.after(hit.t);
     point.start.chain = &point.chain;
     point.start.u = hit.u;
     point.start.v = hit.v;
     point.state.footprint = point.start.cone.width;
-    fillSurfacePoint(point.chain, hit.path[0], ray, hit.t, hit.u, hit.v, point.state);
+    fillSurfacePoint(triangle, hit.path[0], ray, hit.t, hit.u, hit.v, point.state);
 }
 
 bool RayServices::makeCameraRay(const CameraRays& camera, double x, double y, PixelSample& sample,
@@ -133,6 +147,24 @@ Hit RayServices::findHit(const Ray& ray) const {
     Hit hit;
     kernels_.intersect1[precision_](frame_.scene->view(), ray, hit);
     return hit;
+}
+
+void RayServices::findAllHits(const Ray& ray, std::vector<Hit>& hits) const {
+    constexpr std::size_t kAtFirst = 64;
+    HitList list{};
+    for (std::size_t room = std::max(hits.capacity(), kAtFirst);; room = list.count) {
+        hits.resize(room);
+        list.hits = hits.data();
+        list.capacity = uint32_t(room);
+        kernels_.intersectAll1[precision_](frame_.scene->view(), ray, list);
+        if (list.count <= list.capacity) break;
+    }
+    hits.resize(list.count);
+    std::sort(hits.begin(), hits.end(), submittedBefore);
+    const auto same = [](const Hit& a, const Hit& b) {
+        return !submittedBefore(a, b) && !submittedBefore(b, a);
+    };
+    hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
 }
 
 bool RayServices::isOccluded(const Ray& ray) const {
