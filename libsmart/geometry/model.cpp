@@ -55,11 +55,11 @@ std::size_t ShadingData::bytes() const {
     return heldBytes(corners) + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
            heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
            heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
-           heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(keepAlive);
+           heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(boundary) + heldBytes(keepAlive);
 }
 
 std::size_t Model::bytes() const {
-    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() +
+    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() + pixels.bytes() +
            children.bytes() + recordBytes_.load(std::memory_order_relaxed);
 }
 

@@ -37,6 +37,7 @@ inline constexpr float kDepthUnit = 0x1p-24f;
 /// A fragment of a pixel of a tile: entry j * kTileSize + i, as in TilePixels.
 struct PixelFragment {
     uint16_t entry = 0;
+    uint64_t samples = ~uint64_t(0); ///< bit i: it covers samples i, i + 64, ... of the pixel
     Fragment fragment;
 };
 
@@ -45,9 +46,9 @@ struct PixelFragment {
 class FragmentSource {
 public:
     virtual ~FragmentSource() = default;
-    /// Appends what covers pixels of the tile, of a pixel in any order; fragments cover all samples
-    /// of their pixel. They may lie outside of the viewport; the layer's scissor is the caller's
-    /// business.
+    /// Appends what covers pixels of the tile, of a pixel in order of submission: what has the
+    /// order of a hit comes before it. Fragments may lie outside of the viewport; the layer's
+    /// scissor is the caller's business.
     virtual void cover(const Tile& tile, std::vector<PixelFragment>& fragments) const = 0;
 };
 
