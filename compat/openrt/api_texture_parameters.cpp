@@ -131,7 +131,9 @@ double bitsOf(TexelType type) {
 }
 
 StateValue levelValue(const TextureLevelInfo& info, RTenum pname) {
-    const uint32_t channels = info.channels;
+    const bool alphaOnly = info.format == TexelFormat::Alpha;
+    const bool intensity = info.format == TexelFormat::Intensity;
+    const uint32_t channels = intensity ? 0 : info.channels;
     switch (pname) {
     case RT_TEXTURE_WIDTH: return one(info.width);
     case RT_TEXTURE_HEIGHT: return one(info.height);
@@ -139,12 +141,12 @@ StateValue levelValue(const TextureLevelInfo& info, RTenum pname) {
     case RT_TEXTURE_BORDER: return one(0);
     case RT_TEXTURE_RED_SIZE:
     case RT_TEXTURE_GREEN_SIZE:
-    case RT_TEXTURE_BLUE_SIZE: return one(channels > 2 ? bitsOf(info.type) : 0.0);
+    case RT_TEXTURE_BLUE_SIZE: return one(channels > 2 && !alphaOnly ? bitsOf(info.type) : 0.0);
     case RT_TEXTURE_LUMINANCE_SIZE:
         return one(channels == 1 || channels == 2 ? bitsOf(info.type) : 0.0);
     case RT_TEXTURE_ALPHA_SIZE:
         return one(channels > 0 && channels % 2 == 0 ? bitsOf(info.type) : 0.0);
-    case RT_TEXTURE_INTENSITY_SIZE:
+    case RT_TEXTURE_INTENSITY_SIZE: return one(intensity ? bitsOf(info.type) : 0.0);
     case RT_TEXTURE_DEPTH_SIZE:
     case RT_TEXTURE_COMPRESSED: return one(0);
     case RT_TEXTURE_DEPTH: return one(info.channels ? 1 : 0);

@@ -141,8 +141,9 @@ RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFor
             uint32_t(level),
             std::make_shared<const TextureImage>(
                 source.width, source.height, internal.channels, texelType, internal.srgb,
-                unpackImage(source, c.recorder().pixelStore(), internal.channels)),
-            internalFormat);
+                unpackImage(source, c.recorder().pixelStore(), internal.channels,
+                            internal.format)),
+            internalFormat, internal.format);
     });
 }
 
@@ -165,14 +166,16 @@ RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset,
         if (width == 0 || height == 0) return;
         requirePointer(pixels, "pixels");
         const ImageSource source{pixels, uint32_t(width), uint32_t(height), order, texelType};
+        const InternalFormat internal = internalFormatOf(info.internalFormat);
         const TextureImage part(source.width, source.height, info.channels, texelType,
-                                internalFormatOf(info.internalFormat).srgb,
-                                unpackImage(source, c.recorder().pixelStore(), info.channels));
+                                internal.srgb,
+                                unpackImage(source, c.recorder().pixelStore(), info.channels,
+                                            internal.format));
         textures.setImage(uint32_t(level),
                           std::make_shared<const TextureImage>(
                               textures.image(uint32_t(level))
                                   ->withPart(uint32_t(xoffset), uint32_t(yoffset), part)),
-                          info.internalFormat);
+                          info.internalFormat, internal.format);
     });
 }
 

@@ -11,6 +11,7 @@ namespace smart::compat {
 struct InternalFormat {
     uint32_t channels;
     bool srgb;
+    TexelFormat format = TexelFormat::ByChannels;
 };
 InternalFormat internalFormatOf(RTint format);
 PixelOrder pixelOrderOf(RTenum format);

@@ -2,6 +2,7 @@
 #include "compat/recorder/geometry_recording.h"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <span>
 #include <utility>
@@ -20,6 +21,15 @@ template <class T>
 void makeRoom(std::vector<T>& vector, std::size_t n) {
     if (vector.capacity() - vector.size() >= n) return;
     vector.reserve(std::max(vector.size() + n, 2 * vector.capacity()));
+}
+
+/// See ShadingData::provoking. Only of a quad's first triangle the provoking vertex is no corner;
+/// it is the last one of the second.
+uint8_t provokingCode(const AssembledTriangle& triangle) {
+    const auto* const end = std::end(triangle.corners);
+    const auto* const found = std::find(std::begin(triangle.corners), end, triangle.provoking);
+    return found == end ? uint8_t(ShadingData::kOfNext + ShadingData::kLastCorner)
+                        : uint8_t(found - std::begin(triangle.corners));
 }
 
 /// Room for the list to be as long as `count` and n more.
@@ -67,6 +77,8 @@ void GeometryRecording::reserveVertex(const BoundShader& shader) {
     makeRoom(builder_.triangles, kTriangles);
     makeRoom(shading.corners, kTriangles);
     makeRoom(shading.slots, kTriangles);
+    if (!assembler_.lastCornerProvokes() || !shading.provoking.empty())
+        makeRoomFrom(shading.provoking, triangles, kTriangles);
     makeRoom(shading.shaders, 1);
     makeRoom(shading.keepAlive, 1);
     makeRoom(usedShaders_, 1);
@@ -120,6 +132,11 @@ void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
     store(out.v2, positions_[corners[2]]);
     shading.corners.push_back({corners[0], corners[1], corners[2]});
     shading.slots.push_back(slotOf(shader));
+    const uint8_t provoking = provokingCode(triangle);
+    if (provoking != ShadingData::kLastCorner || !shading.provoking.empty()) {
+        shading.provoking.resize(builder_.triangles.size() - 1, ShadingData::kLastCorner);
+        shading.provoking.push_back(provoking);
+    }
 
     if (!shader.triangleBlock.empty()) {
         shading.triangleBlocks.resize(builder_.triangles.size() - 1, kNone);

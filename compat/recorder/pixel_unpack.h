@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libsmart/shading/texture_image.h"
+#include "libsmart/shading/texture.h"
 
 namespace smart::compat {
 
@@ -17,7 +17,9 @@ struct PixelStore {
     bool swapBytes = false;
 };
 
-enum class PixelOrder : uint8_t { Luminance, LuminanceAlpha, Rgb, Rgba, Bgr, Bgra };
+enum class PixelOrder : uint8_t {
+    Luminance, LuminanceAlpha, Rgb, Rgba, Bgr, Bgra, Red, Green, Blue, Alpha
+};
 
 /// An image of the application's, as rtTexImage2D and rtTexSubImage2D name it.
 struct ImageSource {
@@ -27,9 +29,11 @@ struct ImageSource {
     TexelType type;
 };
 
-/// Tightly packed texels of 1 to 4 channels (as TextureImage has them). Alpha that the source lacks is
-/// 1; the luminance of colours is their red, as in OpenGL.
+/// Tightly packed texels of 1 to 4 channels (as TextureImage has them), which stand for what
+/// `format` says. Alpha that the source lacks is 1, colours that it lacks are 0; luminance and
+/// intensity of colours are their red, as in OpenGL.
 std::vector<std::byte> unpackImage(const ImageSource& source, const PixelStore& store,
-                                   uint32_t channels);
+                                   uint32_t channels,
+                                   TexelFormat format = TexelFormat::ByChannels);
 
 } // namespace smart::compat

@@ -22,6 +22,11 @@ public:
     void begin(Primitive primitive) noexcept;
     /// Takes a vertex and writes the triangles that it completes; returns how many.
     int add(uint32_t vertex, AssembledTriangle out[kMaxTriangles]) noexcept;
+    /// Whether the provoking vertex of every triangle is its last corner.
+    bool lastCornerProvokes() const {
+        return primitive_ == Primitive::Triangles || primitive_ == Primitive::TriangleStrip ||
+               primitive_ == Primitive::TriangleFan;
+    }
 
 private:
     Primitive primitive_ = Primitive::Triangles;

@@ -38,11 +38,12 @@ bool TextureStore::exists(uint32_t id) const {
     return id != 0 && found != objects_.end() && found->second.everBound;
 }
 
-void TextureStore::setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat) {
+void TextureStore::setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat,
+                            TexelFormat format) {
     Object& object = objects_.at(bound_);
     const bool given = image != nullptr;
     if (given)
-        object.levels[level] = {std::move(image), internalFormat};
+        object.levels[level] = {std::move(image), internalFormat, format};
     else
         object.levels.erase(level);
     if (level == object.madeFrom) object.madeFrom.reset();
@@ -75,7 +76,7 @@ TextureLevelInfo TextureStore::info(uint32_t level) const {
     }
     const Level& source = *object.find(from);
     TextureLevelInfo info{source.image->width(), source.image->height(), source.image->channels(),
-                          source.image->type(), source.internalFormat};
+                          source.image->type(), source.internalFormat, source.format};
     for (; from < level; ++from) {
         info.width = nextLevelSide(info.width);
         info.height = nextLevelSide(info.height);
@@ -137,7 +138,7 @@ void TextureStore::Object::freeze() {
     if (!find(base)) { // it may be one of those that are made
         if (!madeFrom || base < *madeFrom || base > lastMade()) {
             texture.reset();
-            stale = false;
+            whole = stale = false;
             return;
         }
         start = *madeFrom;
@@ -150,12 +151,23 @@ void TextureStore::Object::freeze() {
     TextureOptions options = parameters.options;
     options.firstLevel = base - start;
     options.lastLevel = end;
-    const bool whole = parameters.options.lastLevel >= base && complete(start, wanted - start);
+    whole = parameters.options.lastLevel >= base && complete(start, wanted - start);
     gather(start, whole ? wanted - start : base - start + 1, whole);
-    if (!whole && options.minification.levels != LevelChoice::First)
+    options.format = find(start)->format;
+    if (options.minification.levels == LevelChoice::First)
+        whole = true; // the others are not asked for
+    else if (!whole)
         options.minification = {options.magnification, LevelChoice::First};
     texture = std::make_shared<const Texture>(images, options);
     stale = false;
+}
+
+std::shared_ptr<const Texture> TextureStore::complete(uint32_t id) {
+    const auto found = objects_.find(id);
+    if (found == objects_.end()) return nullptr;
+    Object& object = found->second;
+    if (object.stale) object.freeze();
+    return object.whole ? object.texture : nullptr;
 }
 
 std::shared_ptr<const TextureTable> TextureStore::freeze() {

@@ -22,6 +22,7 @@ struct TextureLevelInfo {
     uint32_t width = 0, height = 0, channels = 0;
     TexelType type = TexelType::Byte;
     int32_t internalFormat = 1; ///< as the application named it
+    TexelFormat format = TexelFormat::ByChannels;
 };
 
 /// OpenGL's two-dimensional texture objects of one context. A function that throws has changed
@@ -44,7 +45,8 @@ public:
     // Of the bound texture:
     /// Image of a level; nullptr: none. Where the parameters say so, the levels below the base
     /// level are to be made from it.
-    void setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat);
+    void setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat,
+                  TexelFormat format = TexelFormat::ByChannels);
     /// nullptr: the level has none.
     TextureImagePtr image(uint32_t level) const;
     TextureLevelInfo info(uint32_t level) const;
@@ -54,11 +56,15 @@ public:
     /// The table as it is now; the same one again if nothing changed since. An incomplete texture
     /// is its base level, enlarged or reduced by the magnification filter.
     std::shared_ptr<const TextureTable> freeze();
+    /// One texture as it is now, for fixed function; nullptr: it does not exist, or is incomplete.
+    /// Texture 0 is one too.
+    std::shared_ptr<const Texture> complete(uint32_t id);
 
 private:
     struct Level {
         TextureImagePtr image;
         int32_t internalFormat = 1;
+        TexelFormat format = TexelFormat::ByChannels;
     };
     struct Object {
         bool everBound = false;
@@ -68,6 +74,7 @@ private:
         std::shared_ptr<const TextureLevels> images; ///< of `texture`; nullptr: they changed
         uint32_t imagesStart = 0;                    ///< number of the first of them
         std::shared_ptr<const Texture> texture;
+        bool whole = false; ///< `texture` has all the levels that its filters ask for
         bool stale = false; ///< `texture` is not what the rest says
 
         const Level* find(uint32_t level) const;

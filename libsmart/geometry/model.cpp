@@ -55,7 +55,8 @@ std::size_t ShadingData::bytes() const {
     return heldBytes(corners) + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
            heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
            heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
-           heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(boundary) + heldBytes(keepAlive);
+           heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(provoking) +
+           heldBytes(boundary) + heldBytes(keepAlive);
 }
 
 std::size_t Model::bytes() const {
