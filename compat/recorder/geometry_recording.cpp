@@ -15,6 +15,7 @@ namespace smart::compat {
 namespace {
 
 constexpr uint32_t kNone = ShadingData::kNone;
+constexpr unsigned kClosingEdge = 4; ///< bit of the edge from a triangle's last corner to its first
 
 /// Room for n more elements, so that appending them can not fail.
 template <class T>
@@ -61,7 +62,7 @@ void store(float (&out)[3], const glm::vec3& v) {
 
 } // namespace
 
-void GeometryRecording::reserveVertex(const BoundShader& shader) {
+void GeometryRecording::reserveVertex(const Attributes& attributes, const BoundShader& shader) {
     constexpr std::size_t kTriangles = PrimitiveAssembler::kMaxTriangles;
     ShadingData& shading = builder_.shading;
     const std::size_t triangles = builder_.triangles.size();
@@ -75,10 +76,16 @@ void GeometryRecording::reserveVertex(const BoundShader& shader) {
         makeRoom(shading.materials, 1);
     }
     makeRoom(builder_.triangles, kTriangles);
+    if (!attributes.edgeFlag || !assembler_.lastCornerProvokes() || !shading.boundary.empty())
+        makeRoomFrom(shading.boundary, triangles, kTriangles);
     makeRoom(shading.corners, kTriangles);
     makeRoom(shading.slots, kTriangles);
     if (!assembler_.lastCornerProvokes() || !shading.provoking.empty())
         makeRoomFrom(shading.provoking, triangles, kTriangles);
+    if (!isFilled(assembler_.primitive())) {
+        makeRoom(builder_.pixels.runs, 1);
+        makeRoom(builder_.pixels.positions, 1);
+    }
     makeRoom(shading.shaders, 1);
     makeRoom(shading.keepAlive, 1);
     makeRoom(usedShaders_, 1);
@@ -137,6 +144,11 @@ void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
         shading.provoking.resize(builder_.triangles.size() - 1, ShadingData::kLastCorner);
         shading.provoking.push_back(provoking);
     }
+    if (triangle.boundary != ShadingData::kAllEdges || !shading.boundary.empty()) {
+        shading.boundary.resize(builder_.triangles.size() - 1, ShadingData::kAllEdges);
+        if (triangle.extendsPolygon) shading.boundary.back() &= uint8_t(~kClosingEdge);
+        shading.boundary.push_back(triangle.boundary);
+    }
 
     if (!shader.triangleBlock.empty()) {
         shading.triangleBlocks.resize(builder_.triangles.size() - 1, kNone);
@@ -151,7 +163,7 @@ void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
 
 void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attributes,
                                const glm::vec3& normal, const BoundShader& shader) {
-    reserveVertex(shader);
+    reserveVertex(attributes, shader);
     ShadingData& shading = builder_.shading;
     const auto latch = [&](bool isGiven, uint32_t& first, auto& values, const auto& value) {
         if (!isGiven) return;
@@ -174,9 +186,45 @@ void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attr
     }
     positions_.push_back(position);
 
+    if (!isFilled(assembler_.primitive())) addPixelVertex(position);
     AssembledTriangle triangles[PrimitiveAssembler::kMaxTriangles];
-    const int count = assembler_.add(vertexCount_++, triangles);
+    const int count = assembler_.add(vertexCount_++, triangles, attributes.edgeFlag);
     for (int i = 0; i < count; ++i) addTriangle(triangles[i], shader);
+}
+
+// Points and separate lines go on with the run before where its last line is whole.
+void GeometryRecording::addPixelVertex(const glm::vec3& position) noexcept {
+    PixelGeometry& pixels = builder_.pixels;
+    const auto kind = [this] {
+        switch (assembler_.primitive()) {
+        case Primitive::Lines: return PixelRun::Kind::Lines;
+        case Primitive::LineStrip: return PixelRun::Kind::LineStrip;
+        case Primitive::LineLoop: return PixelRun::Kind::LineLoop;
+        default: return PixelRun::Kind::Points;
+        }
+    }();
+    if (!continuesRun_ && !pixels.runs.empty()) {
+        const PixelRun& last = pixels.runs.back();
+        const bool wholes = kind == PixelRun::Kind::Points ||
+                            (kind == PixelRun::Kind::Lines && last.count % 2 == 0);
+        continuesRun_ = wholes && last.kind == kind && last.beforeTriangle == triangleCount() &&
+                        last.firstVertex + last.count == vertexCount_;
+    }
+    if (!continuesRun_)
+        pixels.runs.push_back({kind, triangleCount(), uint32_t(pixels.positions.size()), 0,
+                               vertexCount_});
+    continuesRun_ = true;
+    ++pixels.runs.back().count;
+    pixels.positions.push_back(position);
+}
+
+void GeometryRecording::addImage(std::shared_ptr<const WindowImage> image) {
+    PixelGeometry& pixels = builder_.pixels;
+    makeRoom(pixels.runs, 1);
+    makeRoom(pixels.images, 1);
+    pixels.runs.push_back({PixelRun::Kind::Image, triangleCount(), uint32_t(pixels.images.size()),
+                           1, 0});
+    pixels.images.push_back(std::move(image));
 }
 
 void GeometryRecording::addChild(Instance child, uint32_t childLevels,
