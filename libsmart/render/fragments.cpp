@@ -87,22 +87,31 @@ glm::vec4 combinedLogically(uint8_t operation, const glm::vec4& source,
     return result;
 }
 
-void take(const Fragment& fragment, PixelValue& pixel) {
+const FixedFragmentOps& operationsOn(const Fragment& fragment) {
     static const FixedFragmentOps kPlain = [] {
         FixedFragmentOps ops;
         ops.depthTest = true;
         return ops;
     }();
-    const FixedFragmentOps& ops = fragment.state ? fragment.state->ops : kPlain;
-    const glm::vec4 source = clamped(fragment.color);
+    return fragment.state ? fragment.state->ops : kPlain;
+}
+
+bool writesAll(const FixedFragmentOps& ops) {
+    return ops.colorMask[0] && ops.colorMask[1] && ops.colorMask[2] && ops.colorMask[3];
+}
+bool writesNothing(const FixedFragmentOps& ops) {
+    return !ops.colorMask[0] && !ops.colorMask[1] && !ops.colorMask[2] && !ops.colorMask[3];
+}
+
+void take(const Fragment& fragment, PixelValue& pixel) {
+    const FixedFragmentOps& ops = operationsOn(fragment);
+    const glm::vec4 source = fragment.state ? clamped(fragment.color) : fragment.color;
     if (ops.alphaTest && !passes(ops.alphaFunction, source.a, ops.alphaReference)) return;
     if (ops.depthTest) {
         if (!passes(ops.depthFunction, fragment.depth, pixel.depth)) return;
-        if (ops.depthMask) {
-            pixel.depth = fragment.depth;
-            pixel.source = fragment.source;
-        }
+        if (ops.depthMask) pixel.depth = fragment.depth;
     }
+    if (ops.depthMask || !ops.depthTest) pixel.source = fragment.source;
     const glm::vec4 result = ops.colorLogicOp ? combinedLogically(ops.logicOp, source, pixel.color)
                              : ops.blend      ? clamped(blended(ops, source, pixel.color))
                                               : source;
@@ -112,10 +121,31 @@ void take(const Fragment& fragment, PixelValue& pixel) {
 
 } // namespace
 
-void replay(std::span<Fragment> fragments, PixelValue& pixel) {
-    std::stable_sort(fragments.begin(), fragments.end(),
-                     [](const Fragment& a, const Fragment& b) { return a.order < b.order; });
+void replay(std::span<const Fragment> fragments, PixelValue& pixel) {
     for (const Fragment& fragment : fragments) take(fragment, pixel);
+}
+
+void findNeeded(std::span<const Fragment> fragments, float depth, uint8_t* needed) {
+    bool known = true; // the depth at this point
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        const Fragment& fragment = fragments[i];
+        const FixedFragmentOps& ops = operationsOn(fragment);
+        const bool mayFail =
+            (ops.depthTest && !known) ||
+            (ops.alphaTest && ops.alphaFunction != CompareFunction::Always);
+        if (ops.depthTest && known && !passes(ops.depthFunction, fragment.depth, depth)) {
+            needed[i] = false;
+            continue;
+        }
+        needed[i] = mayFail || !writesNothing(ops);
+        if (ops.depthTest && ops.depthMask) {
+            known = !mayFail;
+            depth = fragment.depth;
+        }
+        if (mayFail || !writesAll(ops) || ops.blend || ops.colorLogicOp) continue;
+        for (std::size_t j = 0; j < i; ++j) // whose alpha decides on a depth stay
+            if (!operationsOn(fragments[j]).alphaTest) needed[j] = false;
+    }
 }
 
 } // namespace smart

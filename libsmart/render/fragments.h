@@ -15,7 +15,7 @@ namespace smart {
 /// A hit, or a pixel primitive, as one pixel sees it.
 struct Fragment {
     uint64_t order = 0;                ///< of submission in its layer, see below
-    const FixedState* state = nullptr; ///< nullptr: depth test RT_LESS, nothing else
+    const FixedState* state = nullptr; ///< nullptr: depth test RT_LESS, nothing else, not clamped
     float depth = 1.0f;                ///< window depth, offset included, 0 to 1
     glm::vec4 color{0.0f};             ///< textured and fogged, not clamped
     uint32_t source = 0xFFFFFFFFu;     ///< which hit of a ray it was; all ones: none
@@ -56,14 +56,19 @@ public:
 struct PixelValue {
     glm::vec4 color{0.0f};
     float depth = 1.0f;
-    /// Fragment::source of the one that wrote the depth last; kNoSource: none of this layer.
+    /// Fragment::source of the one that is seen here: that wrote the depth last, or, without a
+    /// depth test, was drawn last.
     uint32_t source = kNoSource;
 
     static constexpr uint32_t kNoSource = 0xFFFFFFFFu;
 };
 
-/// Sorts the fragments by their order and takes them through alpha test, depth test, blending,
-/// logical operation and masks.
-void replay(std::span<Fragment> fragments, PixelValue& pixel);
+/// Takes fragments, in their order, through alpha test, depth test, blending, logical operation
+/// and masks.
+void replay(std::span<const Fragment> fragments, PixelValue& pixel);
+
+/// Before the colours of the fragments are known: needed[i] = whether that of the i-th may matter
+/// to the pixel, whose depth is given.
+void findNeeded(std::span<const Fragment> fragments, float depth, uint8_t* needed);
 
 } // namespace smart

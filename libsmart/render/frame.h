@@ -46,6 +46,13 @@ struct MatrixCamera {
     glm::dmat4 inverse{1.0}; ///< of projection; a singular projection is refused earlier
 };
 
+/// What the state blocks of a layer's instances ask of its camera rays.
+struct LayerNeeds {
+    bool collects = false; ///< all hits of a ray matter, not the nearest alone
+    bool sifts = false;    ///< hits may not count: culled, clipped, not filled
+};
+LayerNeeds findLayerNeeds(const Scene& scene);
+
 /// Everything one picture needs; nothing in it changes while a worker holds it. It may be made of
 /// layers, each a frame with its own scene and camera, which are drawn over each other; the frame
 /// itself is the topmost.
@@ -73,6 +80,7 @@ struct Frame {
     std::vector<BufferClear> clears; ///< before this layer, in this order
     std::optional<Viewport> scissor; ///< pixels that the layer may change; empty: all
     float depthNear = 0.0f, depthFar = 1.0f; ///< window depth of the near and the far plane
+    uint32_t firstInstance = 0;              ///< number of its first instance in the picture
     bool drawsColor = true;
     std::shared_ptr<const FragmentSource> primitives; ///< nullptr: none
 
@@ -80,11 +88,21 @@ struct Frame {
     std::vector<std::shared_ptr<const void>> keepAlive;
 
     /// What the shaders amount to; found at the first question. Thread-safe.
-    const FrameShading& shading() const;
+    const FrameShading& shading() const { return found().shading; }
+    /// What its instances' state blocks ask for; likewise.
+    const LayerNeeds& needs() const { return found().needs; }
+    /// Whether more is to be done than to show the nearest hit of each ray.
+    bool isLayered() const;
 
 private:
-    mutable std::once_flag shadingOnce_;
-    mutable FrameShading shading_;
+    struct Found {
+        FrameShading shading;
+        LayerNeeds needs;
+    };
+    const Found& found() const;
+
+    mutable std::once_flag foundOnce_;
+    mutable Found found_;
 };
 
 /// A larger recursionLimit counts as this: threads have stacks of limited size.

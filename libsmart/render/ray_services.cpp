@@ -149,22 +149,22 @@ Hit RayServices::findHit(const Ray& ray) const {
     return hit;
 }
 
-void RayServices::findAllHits(const Ray& ray, std::vector<Hit>& hits) const {
+std::span<const Hit> RayServices::findAllHits(const Ray& ray, std::vector<Hit>& memory) const {
     constexpr std::size_t kAtFirst = 64;
+    if (memory.size() < kAtFirst) memory.resize(kAtFirst);
     HitList list{};
-    for (std::size_t room = std::max(hits.capacity(), kAtFirst);; room = list.count) {
-        hits.resize(room);
-        list.hits = hits.data();
-        list.capacity = uint32_t(room);
+    while (true) {
+        list = {memory.data(), uint32_t(memory.size()), 0};
         kernels_.intersectAll1[precision_](frame_.scene->view(), ray, list);
         if (list.count <= list.capacity) break;
+        memory.resize(list.count);
     }
-    hits.resize(list.count);
-    std::sort(hits.begin(), hits.end(), submittedBefore);
-    const auto same = [](const Hit& a, const Hit& b) {
-        return !submittedBefore(a, b) && !submittedBefore(b, a);
-    };
-    hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
+    const auto end = memory.begin() + list.count;
+    std::sort(memory.begin(), end, submittedBefore);
+    const auto last = std::unique(memory.begin(), end, [](const Hit& a, const Hit& b) {
+        return !submittedBefore(a, b); // sorted: not before is the same
+    });
+    return {memory.begin(), last};
 }
 
 bool RayServices::isOccluded(const Ray& ray) const {

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "libsmart/kernel/kernels.h"
@@ -105,8 +106,8 @@ public:
 
     /// Finds what the rays of the given lanes meet.
     void findHits(RayGroup& rays, uint32_t lanes) const;
-    /// All that a ray meets, each triangle once, in order of submission.
-    void findAllHits(const Ray& ray, std::vector<Hit>& hits) const;
+    /// All that a ray meets, each triangle once, in order of submission. They lie in `memory`.
+    std::span<const Hit> findAllHits(const Ray& ray, std::vector<Hit>& memory) const;
     /// The surface shader of what a ray hit; nullptr: there is none.
     const ShaderObject* findSurface(const Hit& hit);
     /// What the given rays see that met nothing.
