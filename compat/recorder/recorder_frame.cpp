@@ -6,6 +6,7 @@
 #include "compat/recorder/recorder.h"
 #include "compat/recorder/transforms.h"
 #include "libsmart/base/error.h"
+#include "libsmart/render/pixel_primitives.h"
 
 namespace smart::compat {
 
@@ -132,6 +133,7 @@ std::shared_ptr<Frame> Recorder::makeFrame() {
     frame->recursionLimit = settings.recursionLimit;
     frame->weightCutoff = settings.weightCutoff;
     frame->scene = compiler_.makeScene(allInstances(), settings.precision);
+    frame->primitives = PixelPrimitives::make(*frame);
     return frame;
 }
 

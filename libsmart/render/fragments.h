@@ -31,6 +31,10 @@ constexpr uint64_t orderOfInstance(uint32_t instance, uint32_t number) {
     return uint64_t(instance) << 33 | uint64_t(1) << 32 | number;
 }
 
+/// Numbers of an instance's own triangles are theirs; what nests in it comes after them, hits from
+/// this number on, what is drawn in pixels last.
+inline constexpr uint32_t kFirstNested = 0x80000000u, kLastNested = 0xFFFFFFFFu;
+
 /// The smallest step of window depth, which polygon offset counts in.
 inline constexpr float kDepthUnit = 0x1p-24f;
 
@@ -47,7 +51,7 @@ class FragmentSource {
 public:
     virtual ~FragmentSource() = default;
     /// Appends what covers pixels of the tile, of a pixel in order of submission: what has the
-    /// order of a hit comes before it. Fragments may lie outside of the viewport; the layer's
+    /// order of a hit comes after it. Fragments may lie outside of the viewport; the layer's
     /// scissor is the caller's business.
     virtual void cover(const Tile& tile, std::vector<PixelFragment>& fragments) const = 0;
 };

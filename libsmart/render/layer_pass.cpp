@@ -55,6 +55,9 @@ void LayerPass::coverPixels() {
     covered.clear();
     if (!layer_.primitives) return;
     layer_.primitives->cover(tile_, covered);
+    std::erase_if(covered, [this](const PixelFragment& pixel) {
+        return (pixel.samples >> (sample_ % 64) & 1u) == 0;
+    });
     std::stable_sort(covered.begin(), covered.end(),
                      [](const PixelFragment& a, const PixelFragment& b) {
                          return a.entry != b.entry ? a.entry < b.entry
@@ -307,7 +310,9 @@ void LayerPass::addFragments(uint32_t lane, std::size_t firstHit, uint32_t entry
         const LayerHit& kept = pass.hits[i];
         if (!kept.counts) continue;
         Fragment& fragment = pass.fragments.emplace_back();
-        fragment.order = orderOfInstance(kept.hit.path[0], uint32_t(i - firstHit));
+        fragment.order = orderOfInstance(
+            kept.hit.path[0],
+            kept.hit.levels == 1 ? kept.hit.triangle : kFirstNested + uint32_t(i - firstHit));
         fragment.state = kept.state;
         fragment.source = uint32_t(i);
         const PolygonRaster::Depth depth = raster_.depthAt(

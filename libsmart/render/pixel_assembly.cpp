@@ -99,7 +99,7 @@ public:
     explicit PixelAssembler(const Frame& layer)
         : projection_(layer.matrixCamera.projection),
           hasProjection_(!layer.camera),
-          toWindow_(layer) {}
+          toWindow_(layer.viewport, layer.depthNear, layer.depthFar) {}
 
     void addScene(const Scene& scene) {
         const std::vector<Instance>& instances = scene.group().instances();
@@ -134,7 +134,8 @@ private:
             for (uint32_t triangle = 0; triangle < model.triangles.size(); ++triangle) {
                 for (; run < runs.size() && runs[run].beforeTriangle <= triangle; ++run)
                     addRun(chain, runs[run]);
-                order_ = orderOfInstance(instance_, triangle);
+                order_ = orderOfInstance(instance_,
+                                         chain.levels == 1 ? triangle : kLastNested);
                 chain.triangle = triangle;
                 addTriangle(chain);
             }
@@ -142,7 +143,13 @@ private:
     }
 
     void addRun(const HitChain& chain, const PixelRun& run) {
-        order_ = orderOfInstance(instance_, run.beforeTriangle);
+        // That of the triangle before, which it follows.
+        if (chain.levels > 1)
+            order_ = orderOfInstance(instance_, kLastNested);
+        else if (run.beforeTriangle > 0)
+            order_ = orderOfInstance(instance_, run.beforeTriangle - 1);
+        else
+            order_ = orderBeforeInstance(instance_, 0);
         if (run.kind == PixelRun::Kind::Image) {
             PixelItems::Image& image = add(result_.images, PixelItems::Kind::Image);
             image.image = chain.model->pixels.images[run.first].get();

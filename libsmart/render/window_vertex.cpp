@@ -37,11 +37,11 @@ WindowVertex between(const WindowVertex& a, const WindowVertex& b, double share)
             a.inverseW + (b.inverseW - a.inverseW) * share, litBetween(a, b, share)};
 }
 
-WindowTransform::WindowTransform(const Frame& layer)
-    : halfSize_(layer.viewport.width / 2.0, layer.viewport.height / 2.0),
-      nearDepth_(layer.depthNear),
-      depthRange_(double(layer.depthFar) - double(layer.depthNear)) {
-    center_ = glm::dvec2(layer.viewport.x, layer.viewport.y) + halfSize_;
+WindowTransform::WindowTransform(const Viewport& viewport, double depthNear, double depthFar)
+    : halfSize_(viewport.width / 2.0, viewport.height / 2.0),
+      nearDepth_(depthNear),
+      depthRange_(depthFar - depthNear) {
+    center_ = glm::dvec2(viewport.x, viewport.y) + halfSize_;
 }
 
 WindowVertex WindowTransform::operator()(const ClipVertex& vertex) const {

@@ -40,7 +40,7 @@ LitVertex litBetween(const WindowVertex& a, const WindowVertex& b, double share)
 /// From clip coordinates to the window of one layer.
 class WindowTransform {
 public:
-    explicit WindowTransform(const Frame& layer);
+    WindowTransform(const Viewport& viewport, double depthNear, double depthFar);
     WindowVertex operator()(const ClipVertex& vertex) const;
 
 private:
