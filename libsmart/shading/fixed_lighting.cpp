@@ -173,7 +173,7 @@ LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool bac
     LitVertex result;
     result.texCoord = vertex.texCoord;
     glm::dvec3 normal = vertex.normal;
-    if (lighting.rescaleNormal) normal *= vertex.normalScale * state.normalScale;
+    if (lighting.rescaleNormal) normal *= vertex.normalScale;
     if (lighting.normalize) normal = unit(normal);
     if (lighting.enabled) {
         const bool other = back && lighting.twoSided;

@@ -191,9 +191,6 @@ struct FixedState {
     FixedTexture texture;
     FixedFragmentOps ops;
     FixedRaster raster;
-    /// What lighting.rescaleNormal asks for beside the instance's matrix: loose geometry went
-    /// through its matrix before.
-    double normalScale = 1.0;
 
     FixedState();
     bool operator==(const FixedState&) const = default;

@@ -148,7 +148,7 @@ FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& m
     }
     const double squared = glm::dot(vertex.normal, vertex.normal);
     if (squared > 0.0) vertex.normal /= std::sqrt(squared);
-    vertex.normalScale = 1.0 / state_->normalScale;
+    vertex.normalScale = 1.0;
     vertex.color = mix(vertices_[0].color, vertices_[1].color, vertices_[2].color, weights);
     if (vertices_[0].materials != vertices_[1].materials ||
         vertices_[0].materials != vertices_[2].materials) {

@@ -73,7 +73,6 @@ public:
         lighting.colorMaterialFace = any<FixedFace>(3);
         lighting.modelAmbient = 0.2f * color();
         for (FixedLight& l : lighting.lights) l = light();
-        state.normalScale = coin() ? 1.0 : real(0.5, 2);
         return state;
     }
     FixedVertex vertex(const FixedMaterials& materials) {

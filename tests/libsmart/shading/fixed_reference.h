@@ -43,7 +43,7 @@ Vec3 three(const V& v) {
 inline Vec3 referenceNormal(const FixedState& state, const FixedVertex& v, Fault fault) {
     Vec3 n = three(v.normal);
     if (state.lighting.rescaleNormal)
-        for (double& x : n) x *= v.normalScale * state.normalScale;
+        for (double& x : n) x *= v.normalScale;
     return state.lighting.normalize && fault != Fault::NotNormalised ? normalised(n) : n;
 }
 
