@@ -8,6 +8,26 @@
 
 namespace smart::compat {
 
+namespace {
+
+SceneStatistics statisticsOfLayers(const Frame& frame) {
+    SceneStatistics sum = statistics(*frame.scene);
+    for (const auto& layer : frame.below) {
+        const SceneStatistics more = statistics(*layer->scene);
+        sum.triangles += more.triangles;
+        sum.instances += more.instances;
+        sum.nodes += more.nodes;
+        sum.leaves += more.leaves;
+        sum.references += more.references;
+        sum.bytes += more.bytes;
+        sum.droppedTriangles += more.droppedTriangles;
+        sum.droppedInstances += more.droppedInstances;
+    }
+    return sum;
+}
+
+} // namespace
+
 FrameDriver::FrameDriver(Recorder& recorder, unsigned threads)
     : recorder_(recorder), renderer_(threads) {
     recorder_.setBuildThreads(renderer_.threads());
@@ -16,7 +36,7 @@ FrameDriver::FrameDriver(Recorder& recorder, unsigned threads)
 // Everything that may fail comes first; a listener may hear of the frame before this returns.
 QueuedFramePtr FrameDriver::submit(uint32_t* id) {
     const std::shared_ptr<Frame> frame = recorder_.makeFrame();
-    const SceneStatistics sceneStatistics = statistics(*frame->scene);
+    const SceneStatistics sceneStatistics = statisticsOfLayers(*frame);
     QueuedFramePtr queued = renderer_.prepare(frame, listener_);
     const uint32_t given = frameTable().add(*frame, queued);
     if (id && given == FrameTable::kNoId)

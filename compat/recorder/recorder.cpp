@@ -33,12 +33,8 @@ void Recorder::requireOutsideObject() const {
 
 void Recorder::begin(Primitive primitive) {
     if (insidePrimitive_) throw Error(ErrorCode::InvalidOperation, "begin without an end before");
-    glm::dmat3 normalMatrix = makeNormalMatrix(matrices_.modelView());
-    // Loose geometry is kept in eye space, where fixed function finds nothing left to rescale.
-    if (!open_ && fixedState_.state().lighting.rescaleNormal) {
-        const double length = glm::length(normalMatrix[2]);
-        if (length > 0) normalMatrix /= length;
-    }
+    const glm::dmat3 normalMatrix =
+        open_ ? makeNormalMatrix(matrices_.modelView()) : looseNormalMatrix();
     if (open_)
         open_->recording.begin(primitive);
     else
@@ -48,22 +44,46 @@ void Recorder::begin(Primitive primitive) {
 }
 
 void Recorder::beginLoose(Primitive primitive) {
-    FixedStatePtr state = looseState();
-    if (state != scene().looseState) {
-        endLooseRun();
-        scene().looseState = std::move(state);
-    }
+    openLooseRun();
     scene().loose.begin(primitive);
 }
 
+void Recorder::openLooseRun() {
+    enterLayer();
+    FixedStatePtr state = looseState();
+    if (state == scene().looseState) return;
+    endLooseRun();
+    scene().looseState = std::move(state);
+}
+
+// Fixed function finds nothing left to rescale there.
+glm::dmat3 Recorder::looseNormalMatrix() const {
+    glm::dmat3 matrix = makeNormalMatrix(matrices_.modelView());
+    if (!fixedState_.state().lighting.rescaleNormal) return matrix;
+    const double length = glm::length(matrix[2]);
+    return length > 0 ? matrix / length : matrix;
+}
+
+Viewport Recorder::viewportNow() const {
+    const PixelTarget& target = frameSettings_.target;
+    return frameSettings_.viewport.value_or(Viewport{0, 0, target.width, target.height});
+}
+
 FixedStatePtr Recorder::looseState() {
-    return fixedState_.block({0, textures_.bound(), matrices_.stack(MatrixMode::Texture).top(),
-                              matrices_.modelView()});
+    return fixedState_.block(stateSources(matrices_, matrices_.modelView()));
 }
 
 FixedStatePtr Recorder::instanceState(const Matrices& matrices) {
-    return fixedState_.block(
-        {0, textures_.bound(), matrices.stack(MatrixMode::Texture).top(), glm::dmat4(1.0)});
+    return fixedState_.block(stateSources(matrices, glm::dmat4(1.0)));
+}
+
+FixedStateSources Recorder::stateSources(const Matrices& matrices, const glm::dmat4& objectToEye) {
+    FixedStateSources sources;
+    sources.texture2D = textures_.bound();
+    if (fixedState_.state().texture.enabled2D) sources.image = textures_.complete(sources.texture2D);
+    sources.textureMatrix = matrices.stack(MatrixMode::Texture).top();
+    sources.objectToEye = objectToEye;
+    return sources;
 }
 
 void Recorder::end() {
@@ -118,7 +138,10 @@ void Recorder::texCoord(const glm::vec4& texCoord) {
     attributes_.texCoord = texCoord;
 }
 
-void Recorder::setMaterials(const FixedMaterials& materials) {
+// What follows the colour does so at once. Of geometry in objects that is not known before they
+// are placed: it keeps both.
+void Recorder::setMaterials(FixedMaterials materials) {
+    if (!open_) materials = withColor(materials, fixedState_.state().lighting, attributes_.color);
     const FixedMaterials& before =
         attributes_.materials ? *attributes_.materials : *initialMaterials();
     const bool changes = materials != before;
@@ -129,9 +152,20 @@ void Recorder::setMaterials(const FixedMaterials& materials) {
         scene().loose.given.materials = true;
 }
 
+void Recorder::restoreAttributes(const Attributes& attributes) {
+    const Attributes now = attributes_;
+    color(attributes.color);
+    texCoord(attributes.texCoord);
+    if (attributes.normal != now.normal) normal(attributes.normal);
+    attributes_.secondaryColor = attributes.secondaryColor;
+    attributes_.fogCoordinate = attributes.fogCoordinate;
+    attributes_.edgeFlag = attributes.edgeFlag;
+}
+
 FixedMaterials Recorder::materials() const {
     const FixedMaterials& kept =
         attributes_.materials ? *attributes_.materials : *initialMaterials();
+    if (open_) return kept;
     return withColor(kept, fixedState_.state().lighting, attributes_.color);
 }
 

@@ -14,12 +14,15 @@
 #include "compat/recorder/fixed_state_recorder.h"
 #include "compat/recorder/frame_settings.h"
 #include "compat/recorder/geometry_recording.h"
+#include "compat/recorder/idle_state.h"
 #include "compat/recorder/matrix_stack.h"
 #include "compat/recorder/model_compiler.h"
+#include "compat/recorder/pixel_drawing.h"
 #include "compat/recorder/pixel_unpack.h"
 #include "compat/recorder/scene_store.h"
 #include "compat/recorder/shader_catalog.h"
 #include "compat/recorder/texture_store.h"
+#include "libsmart/render/window_image.h"
 
 namespace smart::compat {
 
@@ -48,13 +51,24 @@ public:
     void normal(const glm::vec3& normal);
     void texCoord(const glm::vec4& texCoord);
     /// The materials of both sides; legal everywhere.
-    void setMaterials(const FixedMaterials& materials);
+    void setMaterials(FixedMaterials materials);
     /// As they are now: what follows the current colour is brought up to date.
     FixedMaterials materials() const;
     void setEdgeFlag(bool flag) { attributes_.edgeFlag = flag; }
     void setSecondaryColor(const glm::vec4& color) { attributes_.secondaryColor = color; }
     void setFogCoordinate(float coordinate) { attributes_.fogCoordinate = coordinate; }
     const Attributes& attributes() const { return attributes_; }
+
+    // The raster position, and what is drawn there; not in objects. Images of no size are none.
+    void setRasterPosition(const glm::dvec4& position);
+    /// In the window; z from 0, the near plane, to 1.
+    void setWindowPosition(const glm::dvec3& position);
+    /// `bitmap` nullptr: moves the raster position only.
+    void drawBitmap(std::shared_ptr<const ImagePixels> bitmap, const glm::dvec2& origin,
+                    const glm::dvec2& move);
+    void drawPixels(std::shared_ptr<const ImagePixels> pixels);
+    PixelDrawing& pixelDrawing() { return requireOutsideObject(), pixelDrawing_; }
+    const PixelDrawing& pixelDrawingNow() const { return pixelDrawing_; }
 
     // State; outside primitives.
     Matrices& matrices() { return requireOutsidePrimitive(), matrices_; }
@@ -66,6 +80,10 @@ public:
     /// To be changed.
     FixedStateRecorder& fixedState() { return requireOutsideObject(), fixedState_; }
     const FixedState& fixedStateNow() const { return fixedState_.state(); }
+    IdleState& idleState() { return requireOutsideObject(), idleState_; }
+    const IdleState& idleStateNow() const { return idleState_; }
+    /// As before a push of attributes.
+    void restoreAttributes(const Attributes& attributes);
     const ModelCompiler& compiler() const { return compiler_; }
     void setBuildThreads(unsigned threads) { compiler_.setThreads(threads); }
     /// Legal everywhere.
@@ -103,10 +121,14 @@ public:
     // The frame under way.
     void useLight(uint32_t shader, bool checkTwice);
     void useUnique(UniqueShader what, uint32_t shader);
+    /// Clears what the masks of colour and depth, and the scissor, leave to be cleared.
+    void clear(bool color, bool depth);
     /// The scene so far, which stays open.
     ScenePtr compileScene();
     /// Everything described so far as a frame; the scene stays open.
-    std::shared_ptr<Frame> makeFrame();
+    std::shared_ptr<Frame> makeFrame() { return makeFrame(frameSettings_.target); }
+    /// The same into other memory.
+    std::shared_ptr<Frame> makeFrame(const PixelTarget& target);
     /// Starts a new, empty scene.
     void clearScene() noexcept { scene() = SceneRecording(); }
     /// Whether something was added since sceneIsFinished().
@@ -151,7 +173,26 @@ private:
     /// The state that instances placed now have, or loose geometry begun now.
     FixedStatePtr instanceState(const Matrices& matrices);
     FixedStatePtr looseState();
+    FixedStateSources stateSources(const Matrices& matrices, const glm::dmat4& objectToEye);
     void beginLoose(Primitive primitive);
+    /// Ends the loose run if it has another state than what comes now.
+    void openLooseRun();
+    LayerView currentView() const;
+    Viewport scissorNow() const;
+    /// What is added next belongs to the layer that is seen as the state says now.
+    void enterLayer();
+    void endLayer();
+    /// Whether the layer under way has primitives.
+    bool hasContent() const;
+    void freezeShaders(Frame& frame);
+    /// A layer without scene, with the shaders of `common`.
+    std::shared_ptr<Frame> makeLayer(const Frame& common, const PixelTarget& target,
+                                     const LayerView& view) const;
+    /// For normals of loose geometry, which is kept in eye space.
+    glm::dmat3 looseNormalMatrix() const;
+    Viewport viewportNow() const;
+    /// At the raster position, which is valid.
+    void addImage(WindowImage image);
 
     bool insidePrimitive_ = false;
     Attributes attributes_;
@@ -163,6 +204,8 @@ private:
     BuildHints buildHints_;
     FrameSettings frameSettings_;
     FixedStateRecorder fixedState_;
+    IdleState idleState_;
+    PixelDrawing pixelDrawing_;
     ModelCompiler compiler_;
 
     std::map<uint32_t, Object> objects_;

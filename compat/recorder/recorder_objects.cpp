@@ -178,6 +178,7 @@ void Recorder::placeRun(const CompiledRun& run) {
 
 template <class Complete>
 void Recorder::placeInScene(Instance instance, Complete&& complete) {
+    enterLayer();
     std::optional<Instance> loose = looseInstance();
     std::vector<Instance>& list = scene().instances;
     if (list.capacity() - list.size() < 2) list.reserve(2 * list.capacity() + 2);
@@ -191,7 +192,7 @@ void Recorder::placeInScene(Instance instance, Complete&& complete) {
 }
 
 std::optional<Instance> Recorder::looseInstance() {
-    if (scene().loose.triangleCount() == 0) return std::nullopt;
+    if (!scene().loose.hasPrimitives()) return std::nullopt;
     GeometryRecording copy = scene().loose;
     Instance instance;
     instance.model = compiler_.compile(copy);
@@ -201,7 +202,7 @@ std::optional<Instance> Recorder::looseInstance() {
 }
 
 void Recorder::endLooseRun() {
-    if (scene().loose.triangleCount() > 0) {
+    if (scene().loose.hasPrimitives()) {
         std::vector<Instance>& list = scene().instances;
         if (list.capacity() == list.size()) list.reserve(2 * list.capacity() + 2);
         Instance instance;

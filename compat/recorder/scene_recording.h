@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "compat/recorder/geometry_recording.h"
+#include "compat/recorder/layers.h"
 #include "libsmart/scene/scene.h"
 #include "libsmart/shading/fixed_state.h"
 
@@ -13,6 +15,10 @@ namespace smart::compat {
 
 /// What the next frame of a scene consists of so far.
 struct SceneRecording {
+    std::vector<FinishedLayer> below; ///< bottom first
+    // Of the layer under way:
+    std::optional<LayerView> view;   ///< since its first primitive
+    std::vector<BufferClear> clears; ///< before that
     std::vector<Instance> instances;
     /// Loose primitives since the last instance; their inherited attributes are those current at
     /// the first vertex.
