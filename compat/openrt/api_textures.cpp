@@ -59,7 +59,7 @@ void setPixelStore(const char* function, RTenum pname, RTint param) noexcept {
         case RT_UNPACK_SKIP_PIXELS: store.skipPixels = count(); break;
         case RT_UNPACK_SKIP_ROWS: store.skipRows = count(); break;
         case RT_UNPACK_SWAP_BYTES: store.swapBytes = param != 0; break;
-        case RT_UNPACK_LSB_FIRST:
+        case RT_UNPACK_LSB_FIRST: store.lsbFirst = param != 0; break;
         case RT_UNPACK_IMAGE_HEIGHT:
         case RT_UNPACK_SKIP_IMAGES:
         case RT_PACK_ALIGNMENT:

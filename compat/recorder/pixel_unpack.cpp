@@ -85,4 +85,22 @@ std::vector<std::byte> unpackImage(const ImageSource& source, const PixelStore& 
     return texels;
 }
 
+std::vector<std::byte> unpackBitmap(const void* bits, uint32_t width, uint32_t height,
+                                    const PixelStore& store) {
+    const std::size_t outBytes = (std::size_t(width) + 7) / 8;
+    const std::size_t rowBits = store.rowLength ? store.rowLength : width;
+    const std::size_t groups = (rowBits + 8 * store.alignment - 1) / (8 * store.alignment);
+    const std::size_t rowBytes = groups * store.alignment;
+    const auto* const first = static_cast<const unsigned char*>(bits) + store.skipRows * rowBytes;
+    std::vector<std::byte> out(outBytes * height);
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            const std::size_t bit = std::size_t(store.skipPixels) + x;
+            const unsigned in = first[y * rowBytes + bit / 8];
+            const unsigned shift = unsigned(store.lsbFirst ? bit % 8 : 7 - bit % 8);
+            if ((in >> shift & 1u) != 0) out[y * outBytes + x / 8] |= std::byte(0x80u >> x % 8);
+        }
+    return out;
+}
+
 } // namespace smart::compat

@@ -15,6 +15,7 @@ struct PixelStore {
     uint32_t rowLength = 0; ///< pixels between rows; 0: the image's width
     uint32_t skipPixels = 0, skipRows = 0;
     bool swapBytes = false;
+    bool lsbFirst = false; ///< of bitmaps: the lowest bit of a byte is its first
 };
 
 enum class PixelOrder : uint8_t {
@@ -35,5 +36,9 @@ struct ImageSource {
 std::vector<std::byte> unpackImage(const ImageSource& source, const PixelStore& store,
                                    uint32_t channels,
                                    TexelFormat format = TexelFormat::ByChannels);
+
+/// Rows from the bottom, each of whole bytes with the highest bit first.
+std::vector<std::byte> unpackBitmap(const void* bits, uint32_t width, uint32_t height,
+                                    const PixelStore& store);
 
 } // namespace smart::compat
