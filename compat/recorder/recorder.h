@@ -75,6 +75,8 @@ public:
     ShaderCatalog& shaders() { return requireOutsidePrimitive(), shaders_; }
     TextureStore& textures() { return requireOutsidePrimitive(), textures_; }
     PixelStore& pixelStore() { return requireOutsidePrimitive(), pixelStore_; }
+    /// Of pixels that are read back.
+    PixelStore& packStore() { return requireOutsidePrimitive(), packStore_; }
     BuildHints& buildHints() { return requireOutsidePrimitive(), buildHints_; }
     FrameSettings& frameSettings() { return requireOutsidePrimitive(), frameSettings_; }
     /// To be changed.
@@ -131,6 +133,8 @@ public:
     std::shared_ptr<Frame> makeFrame(const PixelTarget& target);
     /// Starts a new, empty scene.
     void clearScene() noexcept { scene() = SceneRecording(); }
+    /// Whether nothing was added to it.
+    bool sceneIsEmpty() const { return scenes_.bound().additions == 0; }
     /// Whether something was added since sceneIsFinished().
     bool sceneHasNews() const {
         return scenes_.bound().additions != scenes_.bound().finishedAdditions;
@@ -200,7 +204,7 @@ private:
     Matrices matrices_;
     ShaderCatalog shaders_;
     TextureStore textures_;
-    PixelStore pixelStore_;
+    PixelStore pixelStore_, packStore_;
     BuildHints buildHints_;
     FrameSettings frameSettings_;
     FixedStateRecorder fixedState_;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Images of textures, wherever their pixels come from.
+#pragma once
+
+#include "compat/recorder/context.h"
+#include "compat/recorder/pixel_unpack.h"
+#include "openrt/types.h"
+
+namespace smart::compat {
+
+/// The pixels of a call, as many as it names.
+struct TexturePixels {
+    const void* pixels; ///< nullptr: zeros, or nothing to replace
+    PixelOrder order;
+    TexelType type;
+};
+
+struct TextureImageCall {
+    RTint level, internalFormat;
+    RTsizei width, height;
+    RTint border;
+};
+struct TexturePartCall {
+    RTint level, xoffset, yoffset;
+    RTsizei width, height;
+};
+
+/// What is asked for, as OpenGL checks it: throws Error where it can not be.
+void checkTextureImage(const TextureImageCall& call);
+void checkTexturePart(Context& context, const TexturePartCall& call);
+
+/// A level of the bound two-dimensional texture anew, after the check. `store`: how the pixels lie;
+/// nullptr: as the unpack state says.
+void defineTextureImage(Context& context, const TextureImageCall& call,
+                        const TexturePixels& pixels, const PixelStore* store = nullptr);
+/// The same for a part of a level.
+void replaceTexturePart(Context& context, const TexturePartCall& call,
+                        const TexturePixels& pixels, const PixelStore* store = nullptr);
+
+} // namespace smart::compat
