@@ -31,7 +31,7 @@ static void reshape(int width, int height) {
     glTranslatef(0.0f, 0.0f, -3.5f);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     static const GLfloat position[] = {1.0f, 2.0f, 3.0f, 1.0f}, front[] = {0.2f, 0.5f, 0.9f, 1.0f},
                          back[] = {0.9f, 0.5f, 0.2f, 1.0f};
     glutInitWindowSize(500, 500);

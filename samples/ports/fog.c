@@ -55,7 +55,7 @@ static void init(void) {
     glClearColor(0.5f, 0.5f, 0.5f, 1.0f);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(500, 500);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_SINGLE | GLUT_RGB | GLUT_DEPTH);

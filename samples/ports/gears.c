@@ -15,7 +15,7 @@ typedef struct {
 } Point;
 
 /* The outline: root, tip, tip, root for every tooth, closed by its first point. */
-static int outline(Point *points, int teeth, double root, double tip) {
+static int outline(Point* points, int teeth, double root, double tip) {
     const double step = 2.0 * PI / (teeth * kPointsPerTooth);
     int count = teeth * kPointsPerTooth;
     for (int i = 0; i <= count; ++i) {
@@ -27,7 +27,7 @@ static int outline(Point *points, int teeth, double root, double tip) {
     return count;
 }
 
-static void face(const Point *points, int count, double bore, GLfloat z, int front) {
+static void face(const Point* points, int count, double bore, GLfloat z, int front) {
     const double step = 2.0 * PI / count;
     glNormal3f(0.0f, 0.0f, front ? 1.0f : -1.0f);
     glBegin(GL_QUAD_STRIP);
@@ -39,7 +39,7 @@ static void face(const Point *points, int count, double bore, GLfloat z, int fro
     glEnd();
 }
 
-static void rim(const Point *points, int count, GLfloat half) {
+static void rim(const Point* points, int count, GLfloat half) {
     glBegin(GL_QUADS);
     for (int i = 0; i < count; ++i) {
         const Point a = points[i], b = points[i + 1];
@@ -65,7 +65,7 @@ static void boreWall(double radius, int count, GLfloat half) {
 }
 
 static GLuint makeGear(int teeth, double bore, double middle, double depth, GLfloat width,
-                       const GLfloat *color) {
+                       const GLfloat* color) {
     Point points[kMaxTeeth * kPointsPerTooth + 1];
     const int count = outline(points, teeth, middle - depth / 2, middle + depth / 2);
     const GLuint list = glGenLists(1);
@@ -135,7 +135,7 @@ static void init(void) {
     gears[2] = makeGear(10, 1.3, 2.0, 0.7, 0.5f, blue);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(300, 300);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_RGB | GLUT_DEPTH | GLUT_DOUBLE);

@@ -24,7 +24,7 @@ static const GLfloat balls[kBalls][4] = {{0.0f, 0.0f, 0.0f, 0.30f},
                                          {0.2f, 0.5f, -0.35f, 0.18f}};
 static const GLfloat kLevel = 1.0f;
 
-static Vertex *vertices;
+static Vertex* vertices;
 static GLsizei vertexCount, vertexRoom;
 static int cells = 62;
 static GLfloat angle;
@@ -152,7 +152,8 @@ static void idle(void) {
 }
 
 static void init(void) {
-    static const GLfloat position[] = {2.0f, 3.0f, 4.0f, 0.0f}, specular[] = {0.5f, 0.5f, 0.5f, 1.0f},
+    static const GLfloat position[] = {2.0f, 3.0f, 4.0f, 0.0f},
+                         specular[] = {0.5f, 0.5f, 0.5f, 1.0f},
                          diffuse[] = {0.3f, 0.7f, 0.6f, 1.0f};
     glClearColor(0.1f, 0.1f, 0.2f, 1.0f);
     glEnable(GL_DEPTH_TEST);
@@ -168,7 +169,7 @@ static void init(void) {
     glVertexPointer(3, GL_FLOAT, sizeof(Vertex), &vertices[0].position);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(512, 512);
     glutInit(&argc, argv);
     if (argc > 1) cells = atoi(argv[1]);

@@ -7,7 +7,8 @@ static GLuint sphere;
 
 static void drawSphere(int row, int column) {
     static const GLfloat none[] = {0.0f, 0.0f, 0.0f, 1.0f}, white[] = {1.0f, 1.0f, 1.0f, 1.0f},
-                         emission[] = {0.3f, 0.2f, 0.2f, 1.0f}, diffuse[] = {0.1f, 0.5f, 0.8f, 1.0f};
+                         emission[] = {0.3f, 0.2f, 0.2f, 1.0f},
+                         diffuse[] = {0.1f, 0.5f, 0.8f, 1.0f};
     static const GLfloat ambients[3][4] = {
         {0.0f, 0.0f, 0.0f, 1.0f}, {0.7f, 0.7f, 0.7f, 1.0f}, {0.8f, 0.8f, 0.2f, 1.0f}};
     static const GLfloat shininess[] = {0.0f, 5.0f, 100.0f, 0.0f};
@@ -62,7 +63,7 @@ static void init(void) {
     glEndList();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(600, 450);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);

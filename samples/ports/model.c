@@ -17,7 +17,9 @@ static void moveThenTurn(void) {
     glTranslatef(0.6f, 0.0f, 0.0f);
 }
 
-static void stretch(void) { glScalef(1.5f, 0.5f, 0.75f); }
+static void stretch(void) {
+    glScalef(1.5f, 0.5f, 0.75f);
+}
 
 static void mirrorImage(void) {
     glRotatef(angle, 0.0f, 1.0f, 0.0f);
@@ -30,13 +32,16 @@ static void shearMatrix(void) {
     glMultMatrixd(shear);
 }
 
-static void spin(void) { glRotated(angle, 1.0, 1.0, 1.0); }
+static void spin(void) {
+    glRotated(angle, 1.0, 1.0, 1.0);
+}
 
 static void display(void) {
     static const Transform transforms[] = {turnThenMove, moveThenTurn, stretch,
                                            mirrorImage,  shearMatrix,  spin};
-    static const GLfloat colors[6][3] = {{0.9f, 0.3f, 0.3f}, {0.3f, 0.9f, 0.3f}, {0.4f, 0.4f, 0.9f},
-                                         {0.9f, 0.9f, 0.3f}, {0.3f, 0.9f, 0.9f}, {0.9f, 0.4f, 0.9f}};
+    static const GLfloat colors[6][3] = {{0.9f, 0.3f, 0.3f}, {0.3f, 0.9f, 0.3f},
+                                         {0.4f, 0.4f, 0.9f}, {0.9f, 0.9f, 0.3f},
+                                         {0.3f, 0.9f, 0.9f}, {0.9f, 0.4f, 0.9f}};
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (int i = 0; i < 6; ++i) {
         glPushMatrix();
@@ -68,7 +73,7 @@ static void idle(void) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     static const GLfloat position[] = {1.0f, 2.0f, 3.0f, 0.0f};
     glutInitWindowSize(600, 400);
     glutInit(&argc, argv);

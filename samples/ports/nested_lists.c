@@ -110,7 +110,7 @@ static void reshape(int width, int height) {
     glTranslatef(0.0f, 0.0f, -5.0f);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(500, 400);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);

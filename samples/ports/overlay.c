@@ -89,7 +89,7 @@ static void idle(void) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     static const GLfloat position[] = {2.0f, 3.0f, 4.0f, 0.0f};
     glutInitWindowSize(500, 400);
     glutInit(&argc, argv);

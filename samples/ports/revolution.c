@@ -10,7 +10,9 @@ enum { kSteps = 28, kTurns = 40 };
 
 static GLuint vase;
 
-static double profile(double t) { return 0.6 + 0.3 * sin(2.6 * t + 0.4) - 0.06 * t; }
+static double profile(double t) {
+    return 0.6 + 0.3 * sin(2.6 * t + 0.4) - 0.06 * t;
+}
 
 static void vertex(int step, int turn) {
     const double t = 2.4 * step / kSteps, h = 1e-4, around = 2.0 * PI * (turn % kTurns) / kTurns;
@@ -55,8 +57,9 @@ static void reshape(int width, int height) {
     glTranslatef(0.0f, 0.0f, -4.2f);
 }
 
-int main(int argc, char **argv) {
-    static const GLfloat position[] = {2.0f, 2.0f, 3.0f, 1.0f}, outside[] = {0.7f, 0.3f, 0.25f, 1.0f},
+int main(int argc, char** argv) {
+    static const GLfloat position[] = {2.0f, 2.0f, 3.0f, 1.0f},
+                         outside[] = {0.7f, 0.3f, 0.25f, 1.0f},
                          inside[] = {0.3f, 0.35f, 0.5f, 1.0f}, white[] = {0.9f, 0.9f, 0.9f, 1.0f};
     glutInitWindowSize(400, 500);
     glutInit(&argc, argv);

@@ -67,7 +67,7 @@ static void step(int tick) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     static const GLfloat position[] = {2.0f, 4.0f, 6.0f, 0.0f};
     glutInitWindowSize(500, 400);
     glutInit(&argc, argv);

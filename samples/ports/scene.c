@@ -2,13 +2,14 @@
 /* scene: quadrics under several lights, smooth on even frames and flat on odd ones. */
 #include <GL/glut.h>
 
-static GLUquadric *quadric;
+static GLUquadric* quadric;
 static int frame;
 
 static void init(void) {
     static const GLfloat sun[] = {1.0f, 1.0f, 1.0f, 0.0f}, lamp[] = {-2.0f, 1.0f, 2.0f, 1.0f},
                          warm[] = {0.7f, 0.5f, 0.3f, 1.0f}, cold[] = {0.2f, 0.3f, 0.7f, 1.0f},
-                         specular[] = {0.6f, 0.6f, 0.6f, 1.0f}, ambient[] = {0.1f, 0.1f, 0.1f, 1.0f};
+                         specular[] = {0.6f, 0.6f, 0.6f, 1.0f},
+                         ambient[] = {0.1f, 0.1f, 0.1f, 1.0f};
     glClearColor(0.3f, 0.3f, 0.3f, 1.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHTING);
@@ -79,7 +80,7 @@ static void idle(void) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(500, 500);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_SINGLE | GLUT_RGB | GLUT_DEPTH);

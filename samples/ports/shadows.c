@@ -46,8 +46,9 @@ static void floorPlane(void) {
 
 /* Onto the plane y = 0 from the light: l.y * p - p.y * l, divided by l.y - p.y. */
 static void flatten(void) {
-    const GLfloat matrix[16] = {light[1],  0.0f, 0.0f,     0.0f,  -light[0], 0.0f,     -light[2], -1.0f,
-                                0.0f, 0.0f, light[1], 0.0f,  0.0f,      0.0f,     0.0f,      light[1]};
+    const GLfloat matrix[16] = {light[1],  0.0f,  0.0f, 0.0f,    -light[0], 0.0f,
+                                -light[2], -1.0f, 0.0f, 0.0f,    light[1],  0.0f,
+                                0.0f,      0.0f,  0.0f, light[1]};
     glMultMatrixf(matrix);
 }
 
@@ -94,7 +95,7 @@ static void idle(void) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(500, 400);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);

@@ -3,7 +3,7 @@
 #include <GL/glut.h>
 #include <math.h>
 
-enum { kSize = 96 };
+enum { kSize = 96, kBands = 8 };
 
 static GLuint terrain;
 static GLfloat flight;
@@ -26,6 +26,21 @@ static void vertex(int column, int row) {
     glVertex3d(x, z, y);
 }
 
+/* One list for each band: Mesa 22.3 fails on lists of about 20,000 vertices. */
+static void band(int number) {
+    const int rows = kSize / kBands;
+    glNewList(terrain + (GLuint)number, GL_COMPILE);
+    for (int row = number * rows; row < (number + 1) * rows; ++row) {
+        glBegin(GL_TRIANGLE_STRIP);
+        for (int column = 0; column <= kSize; ++column) {
+            vertex(column, row);
+            vertex(column, row + 1);
+        }
+        glEnd();
+    }
+    glEndList();
+}
+
 static void init(void) {
     static const GLfloat sun[] = {1.0f, 1.0f, 0.4f, 0.0f}, sky[] = {0.6f, 0.7f, 0.9f, 1.0f};
     glClearColor(sky[0], sky[1], sky[2], sky[3]);
@@ -41,24 +56,15 @@ static void init(void) {
     glFogf(GL_FOG_END, 22.0f);
     glFogfv(GL_FOG_COLOR, sky);
     glLightfv(GL_LIGHT0, GL_POSITION, sun);
-    terrain = glGenLists(1);
-    glNewList(terrain, GL_COMPILE);
-    for (int row = 0; row < kSize; ++row) {
-        glBegin(GL_TRIANGLE_STRIP);
-        for (int column = 0; column <= kSize; ++column) {
-            vertex(column, row);
-            vertex(column, row + 1);
-        }
-        glEnd();
-    }
-    glEndList();
+    terrain = glGenLists(kBands);
+    for (int i = 0; i < kBands; ++i) band(i);
 }
 
 static void display(void) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glPushMatrix();
     gluLookAt(0.0, 3.4, 9.0 - flight, 0.0, 0.4, 2.0 - flight, 0.0, 1.0, 0.0);
-    glCallList(terrain);
+    for (int i = 0; i < kBands; ++i) glCallList(terrain + (GLuint)i);
     glPopMatrix();
     glutSwapBuffers();
 }
@@ -77,7 +83,7 @@ static void idle(void) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(600, 400);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);

@@ -7,10 +7,10 @@ enum { kImage = 64 };
 static GLuint textures[3];
 static GLfloat angle;
 
-static void fill(GLubyte *image, int kind) {
+static void fill(GLubyte* image, int kind) {
     for (int row = 0; row < kImage; ++row)
         for (int column = 0; column < kImage; ++column) {
-            GLubyte *pixel = image + 3 * (row * kImage + column);
+            GLubyte* pixel = image + 3 * (row * kImage + column);
             const int brick = row % 16 < 2 || (column + (row / 16 % 2) * 16) % 32 < 2;
             const int dx = column - kImage / 2, dy = row - kImage / 2;
             if (kind == 0) {
@@ -50,7 +50,8 @@ static void init(void) {
 }
 
 static void texturedCube(void) {
-    static const GLfloat corners[4][2] = {{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}};
+    static const GLfloat corners[4][2] = {
+        {-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}};
     for (int face = 0; face < 6; ++face) {
         glPushMatrix();
         if (face < 4)
@@ -116,7 +117,7 @@ static void idle(void) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(500, 400);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);

@@ -2,20 +2,19 @@
 /* text: stroke letters that turn in space and bitmap lines that stay in place. */
 #include <GL/glut.h>
 
-static void strokes(const char *text) {
+static void strokes(const char* text) {
     for (; *text; ++text) glutStrokeCharacter(GLUT_STROKE_ROMAN, *text);
 }
 
-static void bitmaps(void *font, GLfloat x, GLfloat y, const char *text) {
+static void bitmaps(void* font, GLfloat x, GLfloat y, const char* text) {
     glRasterPos2f(x, y);
     for (; *text; ++text) glutBitmapCharacter(font, *text);
 }
 
 static void display(void) {
-    const char *const word = "Rays";
+    const char* const word = "Rays";
     const GLfloat turn = 0.04f * (GLfloat)glutGet(GLUT_ELAPSED_TIME);
-    const GLfloat length =
-        (GLfloat)glutStrokeLength(GLUT_STROKE_ROMAN, (const unsigned char *)word);
+    const GLfloat length = (GLfloat)glutStrokeLength(GLUT_STROKE_ROMAN, (const unsigned char*)word);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glPushMatrix();
     glRotatef(20.0f - turn, 0.0f, 1.0f, 0.2f);
@@ -42,7 +41,7 @@ static void reshape(int width, int height) {
     glTranslatef(0.0f, 0.0f, -4.5f);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(400, 300);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_SINGLE | GLUT_RGB | GLUT_DEPTH);

@@ -53,7 +53,7 @@ static void reshape(int width, int height) {
     gluLookAt(0.0, 0.0, 5.5, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(400, 400);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);

@@ -18,9 +18,10 @@ static void makeStar(void) {
     star[0] = (Vertex){{1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.3f}};
     for (int i = 0; i <= kPoints; ++i) {
         const double turn = 2.0 * pi * (i % kPoints) / kPoints, radius = i % 2 ? 0.4 : 0.9;
-        star[i + 1] = (Vertex){{(GLfloat)(0.5 + 0.5 * cos(turn)), (GLfloat)(0.5 + 0.5 * sin(turn)),
-                                i % 2 ? 0.2f : 0.9f},
-                               {(GLfloat)(radius * cos(turn)), (GLfloat)(radius * sin(turn)), 0.0f}};
+        star[i + 1] =
+            (Vertex){{(GLfloat)(0.5 + 0.5 * cos(turn)), (GLfloat)(0.5 + 0.5 * sin(turn)),
+                      i % 2 ? 0.2f : 0.9f},
+                     {(GLfloat)(radius * cos(turn)), (GLfloat)(radius * sin(turn)), 0.0f}};
     }
 }
 
@@ -89,7 +90,7 @@ static void idle(void) {
     glutPostRedisplay();
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     glutInitWindowSize(400, 400);
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);

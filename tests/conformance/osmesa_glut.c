@@ -30,10 +30,10 @@ static struct {
     int width, height, clock;
     PixelShift shift;
     OSMesaContext context;
-    GLubyte *pixels;
+    GLubyte* pixels;
 } driver = {.width = 300, .height = 300};
 
-static void fail(const char *text) {
+static void fail(const char* text) {
     fprintf(stderr, "GLUT on OSMesa: %s\n", text);
     exit(2);
 }
@@ -52,7 +52,8 @@ void GLAPIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
     whole(x, y, width, height);
     if (driver.shift.x == 0.0f && driver.shift.y == 0.0f) return;
     if (fractional == NULL) fail("this OSMesa can not move the viewport by parts of a pixel");
-    fractional(0, (float)x + driver.shift.x, (float)y + driver.shift.y, (float)width, (float)height);
+    fractional(0, (float)x + driver.shift.x, (float)y + driver.shift.y, (float)width,
+               (float)height);
 }
 
 void GLAPIENTRY glShadeModel(GLenum mode) {
@@ -68,10 +69,9 @@ void GLAPIENTRY glShadeModel(GLenum mode) {
     provokingVertex(mode == GL_SMOOTH ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
 }
 
-void glutInit(int *argc, char **argv) {
+void glutInit(int* argc, char** argv) {
     takeDriverOptions(argc, argv, &driver.options);
-    if (driver.options.width > 0)
-        glutInitWindowSize(driver.options.width, driver.options.height);
+    if (driver.options.width > 0) glutInitWindowSize(driver.options.width, driver.options.height);
 }
 
 void glutInitDisplayMode(unsigned int mode) {
@@ -89,7 +89,7 @@ void glutInitWindowPosition(int x, int y) {
     (void)y;
 }
 
-int glutCreateWindow(const char *title) {
+int glutCreateWindow(const char* title) {
     (void)title;
     if (driver.context != NULL) fail("one window only");
     driver.context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
@@ -103,36 +103,61 @@ int glutCreateWindow(const char *title) {
 }
 
 void glutPostRedisplay(void) {}
-void glutSwapBuffers(void) { glFlush(); }
+void glutSwapBuffers(void) {
+    glFlush();
+}
 
 int glutGet(GLenum state) {
     switch (state) {
-        case GLUT_ELAPSED_TIME: return driver.clock;
+        case GLUT_ELAPSED_TIME:
+            return driver.clock;
         case GLUT_WINDOW_WIDTH:
-        case GLUT_INIT_WINDOW_WIDTH: return driver.width;
+        case GLUT_INIT_WINDOW_WIDTH:
+            return driver.width;
         case GLUT_WINDOW_HEIGHT:
-        case GLUT_INIT_WINDOW_HEIGHT: return driver.height;
-        case GLUT_WINDOW_DEPTH_SIZE: return 24;
-        case GLUT_WINDOW_DOUBLEBUFFER: return (driver.displayMode & GLUT_DOUBLE) != 0;
-        case GLUT_INIT_DISPLAY_MODE: return (int)driver.displayMode;
-        default: return -1;
+        case GLUT_INIT_WINDOW_HEIGHT:
+            return driver.height;
+        case GLUT_WINDOW_DEPTH_SIZE:
+            return 24;
+        case GLUT_WINDOW_DOUBLEBUFFER:
+            return (driver.displayMode & GLUT_DOUBLE) != 0;
+        case GLUT_INIT_DISPLAY_MODE:
+            return (int)driver.displayMode;
+        default:
+            return -1;
     }
 }
 
-void glutDisplayFunc(void (*callback)(void)) { driver.display = callback; }
-void glutReshapeFunc(void (*callback)(int, int)) { driver.reshape = callback; }
-void glutIdleFunc(void (*callback)(void)) { driver.idle = callback; }
-void glutVisibilityFunc(void (*callback)(int)) { driver.visibility = callback; }
+void glutDisplayFunc(void (*callback)(void)) {
+    driver.display = callback;
+}
+void glutReshapeFunc(void (*callback)(int, int)) {
+    driver.reshape = callback;
+}
+void glutIdleFunc(void (*callback)(void)) {
+    driver.idle = callback;
+}
+void glutVisibilityFunc(void (*callback)(int)) {
+    driver.visibility = callback;
+}
 
 /* Nobody presses a key here. */
-void glutKeyboardFunc(void (*callback)(unsigned char, int, int)) { (void)callback; }
-void glutSpecialFunc(void (*callback)(int, int, int)) { (void)callback; }
-void glutMouseFunc(void (*callback)(int, int, int, int)) { (void)callback; }
-void glutMotionFunc(void (*callback)(int, int)) { (void)callback; }
+void glutKeyboardFunc(void (*callback)(unsigned char, int, int)) {
+    (void)callback;
+}
+void glutSpecialFunc(void (*callback)(int, int, int)) {
+    (void)callback;
+}
+void glutMouseFunc(void (*callback)(int, int, int, int)) {
+    (void)callback;
+}
+void glutMotionFunc(void (*callback)(int, int)) {
+    (void)callback;
+}
 
 void glutTimerFunc(unsigned int milliseconds, void (*callback)(int), int value) {
     for (int i = 0; i < kMaxTimers; ++i) {
-        Timer *timer = &driver.timers[i];
+        Timer* timer = &driver.timers[i];
         if (timer->active) continue;
         *timer = (Timer){callback, value, driver.clock + (int)milliseconds, 1};
         return;
@@ -143,9 +168,9 @@ void glutTimerFunc(unsigned int milliseconds, void (*callback)(int), int value) 
 /* Timers due until `now`, earliest first; each sees the time it was due at. */
 static void callTimers(int now) {
     for (;;) {
-        Timer *next = NULL;
+        Timer* next = NULL;
         for (int i = 0; i < kMaxTimers; ++i) {
-            Timer *timer = &driver.timers[i];
+            Timer* timer = &driver.timers[i];
             if (timer->active && timer->due <= now && (next == NULL || timer->due < next->due))
                 next = timer;
         }
@@ -158,11 +183,11 @@ static void callTimers(int now) {
 }
 
 static void deliver(int frame, int variant) {
-    const DriverOptions *options = &driver.options;
+    const DriverOptions* options = &driver.options;
     const size_t count = (size_t)driver.width * (size_t)driver.height;
     char path[4352];
     if (options->output != NULL) {
-        GLubyte *opaque = malloc(count * 4);
+        GLubyte* opaque = malloc(count * 4);
         if (opaque == NULL) fail("out of memory");
         memcpy(opaque, driver.pixels, count * 4);
         for (size_t i = 0; i < count; ++i) opaque[4 * i + 3] = 255;
@@ -172,7 +197,7 @@ static void deliver(int frame, int variant) {
         free(opaque);
     }
     if (options->depth != NULL) {
-        float *depth = malloc(count * sizeof *depth);
+        float* depth = malloc(count * sizeof *depth);
         if (depth == NULL) fail("out of memory");
         glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
         glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -202,17 +227,18 @@ static double drawFrame(void) {
     return 1e3 * (double)(end.tv_sec - start.tv_sec) + 1e-6 * (double)(end.tv_nsec - start.tv_nsec);
 }
 
-static void beginReport(FILE *report) {
+static void beginReport(FILE* report) {
     GLfloat clear[4];
     glGetFloatv(GL_COLOR_CLEAR_VALUE, clear);
-    fprintf(report, "{\"renderer\": \"%s\", \"version\": \"%s\", \"clear\": [%g, %g, %g], \"ms\": [",
-            (const char *)glGetString(GL_RENDERER), (const char *)glGetString(GL_VERSION), clear[0],
+    fprintf(report,
+            "{\"renderer\": \"%s\", \"version\": \"%s\", \"clear\": [%g, %g, %g], \"ms\": [",
+            (const char*)glGetString(GL_RENDERER), (const char*)glGetString(GL_VERSION), clear[0],
             clear[1], clear[2]);
 }
 
 void glutMainLoop(void) {
-    const DriverOptions *options = &driver.options;
-    FILE *report = NULL;
+    const DriverOptions* options = &driver.options;
+    FILE* report = NULL;
     if (driver.context == NULL || driver.display == NULL) fail("no window, or no display callback");
     if (options->report != NULL && (report = fopen(options->report, "w")) == NULL)
         fail("the report could not be written");

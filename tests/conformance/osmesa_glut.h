@@ -34,12 +34,12 @@ typedef struct {
 } DriverOptions;
 
 /* Takes the driver's options out of the command line; wrong ones end the program with a text. */
-void takeDriverOptions(int *argc, char **argv, DriverOptions *options);
+void takeDriverOptions(int* argc, char** argv, DriverOptions* options);
 
 /* The file of a frame and a variant; 0: the name would not fit. */
-int frameFile(char *path, size_t size, const char *pattern, int frame, int variant);
+int frameFile(char* path, size_t size, const char* pattern, int frame, int variant);
 
 /* 0: not written, and a line says why. Row 0 is the lowest. */
-int writeDepth(const char *path, const float *depth, int width, int height);
+int writeDepth(const char* path, const float* depth, int width, int height);
 
 #endif

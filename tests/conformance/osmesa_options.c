@@ -5,39 +5,40 @@
 
 #include "tests/conformance/osmesa_glut.h"
 
-static void refuse(const char *option, const char *what) {
+static void refuse(const char* option, const char* what) {
     fprintf(stderr, "%s: %s\n", option, what);
     exit(2);
 }
 
 /* A pattern is formatted with a frame number: exactly one conversion, and that of an int. */
-static void checkPattern(const char *option, const char *pattern) {
+static void checkPattern(const char* option, const char* pattern) {
     int conversions = 0;
-    for (const char *at = pattern; *at; ++at) {
+    for (const char* at = pattern; *at; ++at) {
         if (*at != '%') continue;
         ++at;
         while (*at >= '0' && *at <= '9') ++at;
-        if (*at != 'd') refuse(option, "the file name takes one %d conversion, as in frame%03d.png");
+        if (*at != 'd')
+            refuse(option, "the file name takes one %d conversion, as in frame%03d.png");
         ++conversions;
     }
     if (conversions != 1) refuse(option, "the file name takes exactly one %d conversion");
 }
 
-static void takeShift(DriverOptions *options, const char *value) {
-    PixelShift *shift;
+static void takeShift(DriverOptions* options, const char* value) {
+    PixelShift* shift;
     if (options->variants == kMaxVariants) refuse("--rt-variant", "too many");
     shift = &options->shifts[++options->variants];
     if (sscanf(value, "%f,%f", &shift->x, &shift->y) != 2) refuse("--rt-variant", "DX,DY expected");
 }
 
-static void takeGeometry(DriverOptions *options, const char *value) {
+static void takeGeometry(DriverOptions* options, const char* value) {
     if (sscanf(value, "%dx%d", &options->width, &options->height) != 2 || options->width < 1 ||
         options->height < 1 || options->width > 16384 || options->height > 16384)
         refuse("-geometry", "WIDTHxHEIGHT expected");
 }
 
 /* 1: option and value were the driver's. */
-static int takeOption(DriverOptions *options, const char *option, const char *value) {
+static int takeOption(DriverOptions* options, const char* option, const char* value) {
     if (!strcmp(option, "--rt-offscreen")) {
         options->frames = atoi(value);
         if (options->frames < 1) refuse(option, "a number of frames expected");
@@ -52,7 +53,8 @@ static int takeOption(DriverOptions *options, const char *option, const char *va
     } else if (!strcmp(option, "--rt-variant")) {
         takeShift(options, value);
     } else if (!strcmp(option, "--rt-split")) {
-        if (strcmp(value, "first") && strcmp(value, "last")) refuse(option, "first or last expected");
+        if (strcmp(value, "first") && strcmp(value, "last"))
+            refuse(option, "first or last expected");
         options->splitFirst = !strcmp(value, "first");
     } else if (!strcmp(option, "-geometry")) {
         takeGeometry(options, value);
@@ -62,7 +64,7 @@ static int takeOption(DriverOptions *options, const char *option, const char *va
     return 1;
 }
 
-void takeDriverOptions(int *argc, char **argv, DriverOptions *options) {
+void takeDriverOptions(int* argc, char** argv, DriverOptions* options) {
     int kept = *argc > 0 ? 1 : 0;
     memset(options, 0, sizeof *options);
     for (int i = 1; i < *argc; ++i) {
@@ -76,9 +78,9 @@ void takeDriverOptions(int *argc, char **argv, DriverOptions *options) {
     if (options->frames == 0) refuse("--rt-offscreen", "this driver has no windows: give it");
 }
 
-int frameFile(char *path, size_t size, const char *pattern, int frame, int variant) {
+int frameFile(char* path, size_t size, const char* pattern, int frame, int variant) {
     char numbered[4096];
-    const char *extension;
+    const char* extension;
     const int length = snprintf(numbered, sizeof numbered, pattern, frame);
     int written;
     if (length < 0 || (size_t)length >= sizeof numbered) return 0;
@@ -92,8 +94,8 @@ int frameFile(char *path, size_t size, const char *pattern, int frame, int varia
     return written > 0 && (size_t)written < size;
 }
 
-int writeDepth(const char *path, const float *depth, int width, int height) {
-    FILE *file = fopen(path, "wb");
+int writeDepth(const char* path, const float* depth, int width, int height) {
+    FILE* file = fopen(path, "wb");
     size_t count = (size_t)width * (size_t)height;
     int written;
     if (file == NULL) {
