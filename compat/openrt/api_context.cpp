@@ -165,17 +165,3 @@ RTAPI void RTAPIENTRY rtThreads(RTuint n) {
         c.frames().setThreads(n);
     });
 }
-
-RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode) {
-    guarded(__func__, [&](Context& c) {
-        c.recorder().requireOutsideObject();
-        if (!isHintTarget(target)) throwError(ErrorCode::InvalidEnum, "no such hint");
-        if (mode != RT_FASTEST && mode != RT_DONT_CARE && mode != RT_NICEST)
-            throwError(ErrorCode::InvalidEnum, "a hint is RT_FASTEST, RT_DONT_CARE or RT_NICEST");
-        if (target != RT_PRECISION_HINT)
-            throwError(ErrorCode::InvalidOperation, "this hint is not part of this release");
-        c.recorder().frameSettings().precision = mode == RT_FASTEST   ? Precision::Fast
-                                                 : mode == RT_NICEST ? Precision::Precise
-                                                                     : Precision::Watertight;
-    });
-}

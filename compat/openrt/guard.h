@@ -19,7 +19,9 @@ void report(const char* function) noexcept;
 /// whose callback makes it keeps that as its error.
 void withoutContext(const char* function) noexcept;
 
-/// Records that a function of the interface is not part of this release.
+/// Throws InvalidOperation with the text the first time that it is called for `what`.
+void refuseOnce(Context& context, const std::string& what, const std::string& text);
+/// Records that a function of the interface is not part of this release, once for each function.
 void refused(const char* function) noexcept;
 
 [[noreturn]] void throwError(ErrorCode code, const std::string& text);

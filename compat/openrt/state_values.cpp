@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <optional>
 
+#include "compat/openrt/capabilities.h"
+#include "compat/openrt/fixed_values.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/tokens.h"
 #include "libsmart/kernel/packet.h"
@@ -15,21 +17,14 @@ namespace smart::compat {
 namespace {
 
 StateValue list(std::initializer_list<double> numbers) {
-    StateValue value;
-    value.count = int(numbers.size());
-    std::copy(numbers.begin(), numbers.end(), value.values);
-    return value;
+    return StateValue::list(numbers);
 }
 StateValue number(double n) {
-    return list({n});
+    return StateValue::number(n);
 }
 template <class Vector>
 StateValue vector(const Vector& v, bool normalised) {
-    StateValue value;
-    value.count = v.length();
-    for (int k = 0; k < value.count; ++k) value.values[k] = v[k];
-    value.normalised = normalised;
-    return value;
+    return StateValue::vector(v, normalised);
 }
 StateValue matrix(const glm::dmat4& m) {
     StateValue value;
@@ -153,7 +148,9 @@ StateValue stateValue(Context& context, RTenum name) {
     if (const auto value = matrixValue(recorder, name)) return *value;
     if (const auto value = frameValue(context, name)) return *value;
     if (const auto value = recorderValue(recorder, name)) return *value;
+    if (const auto value = fixedStateValue(context, name)) return *value;
     if (const auto value = statistic(context, name)) return *value;
+    if (isCapability(name)) return number(isEnabled(context, name));
     if (isStateVariable(name))
         throwError(ErrorCode::InvalidOperation, "this value is not part of this release");
     throwError(ErrorCode::InvalidEnum, "no such value");

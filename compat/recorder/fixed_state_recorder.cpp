@@ -21,10 +21,6 @@ const FixedState& start() {
     return state;
 }
 
-bool textured(const FixedTexture& texture) {
-    return texture.enabled1D || texture.enabled2D;
-}
-
 bool generatesFromObject(const FixedTexture& texture) {
     for (const TexGen& coordinate : texture.generate)
         if (coordinate.enabled && coordinate.mode == TexGenMode::ObjectLinear) return true;
@@ -47,9 +43,9 @@ void setComponent(FixedMaterial& material, ColorMaterialMode mode, const glm::ve
 
 FixedStateRecorder::FixedStateRecorder() : state_(startState()) {}
 
-void FixedStateRecorder::setDepthTest(bool on) {
+void FixedStateRecorder::setDepthTest(bool on, bool chosen) {
     change().ops.depthTest = on;
-    depthTestChosen_ = true;
+    depthTestChosen_ = chosen;
 }
 
 void FixedStateRecorder::bufferCleared() {
@@ -57,7 +53,8 @@ void FixedStateRecorder::bufferCleared() {
 }
 
 bool FixedStateRecorder::sameSources(const FixedStateSources& sources) const {
-    if (!textured(state_.texture)) return true;
+    if (sources.image != sources_.image) return false;
+    if (!sources.image) return true;
     return sources.texture1D == sources_.texture1D && sources.texture2D == sources_.texture2D &&
            sources.textureMatrix == sources_.textureMatrix &&
            (sources.objectToEye == sources_.objectToEye || !generatesFromObject(state_.texture));
@@ -70,10 +67,12 @@ FixedState FixedStateRecorder::effective(const FixedStateSources& sources) const
         state.lighting = start().lighting;
         state.lighting.normalize = was.normalize;
         state.lighting.rescaleNormal = was.rescaleNormal;
+        state.lighting.reflections = was.reflections;
         state.lighting.shadeModel = was.shadeModel;
     }
     if (!state.fog.enabled) state.fog = start().fog;
-    if (textured(state.texture)) {
+    if (sources.image) {
+        state.texture.image = sources.image;
         state.texture.texture1D = sources.texture1D;
         state.texture.texture2D = sources.texture2D;
         state.texture.matrix = sources.textureMatrix;

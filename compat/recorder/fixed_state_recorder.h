@@ -14,6 +14,7 @@ namespace smart::compat {
 /// What a block holds that other parts of the recorder keep.
 struct FixedStateSources {
     uint32_t texture1D = 0, texture2D = 0; ///< ids bound
+    std::shared_ptr<const Texture> image;  ///< of the enabled one; nullptr: no complete one
     glm::dmat4 textureMatrix{1.0};
     /// Of loose geometry, whose vertices are kept in eye space: what leads there from the
     /// coordinates that the application gave. The identity for objects, which keep their own.
@@ -25,8 +26,8 @@ class FixedStateRecorder {
 public:
     FixedStateRecorder();
 
-    /// As the calls left it, including what is switched off. texture1D, texture2D and the texture
-    /// matrix are not kept here.
+    /// As the calls left it, including what is switched off. The sources of blocks are not
+    /// kept here.
     const FixedState& state() const { return state_; }
     /// To be changed; what was handed out stays as it was.
     FixedState& change() {
@@ -36,7 +37,8 @@ public:
 
     /// Programs that never clear a buffer, nor choose, have the depth test on from the start;
     /// from the first clear on it is OpenGL's start, off.
-    void setDepthTest(bool on);
+    void setDepthTest(bool on, bool chosen = true);
+    bool depthTestChosen() const { return depthTestChosen_; }
     void bufferCleared();
 
     /// The state as geometry latches it: nullptr as long as it comes to nothing but what the
@@ -48,6 +50,7 @@ private:
     static constexpr std::size_t kRemembered = 8;
 
     FixedState effective(const FixedStateSources& sources) const;
+    /// What changed since the last block was made does not show in blocks.
     bool sameSources(const FixedStateSources& sources) const;
 
     FixedState state_;

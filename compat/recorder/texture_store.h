@@ -15,6 +15,7 @@ namespace smart::compat {
 struct TextureParameters {
     TextureOptions options{.minification = {TextureFilter::Nearest, LevelChoice::Linear}};
     bool generateMipmap = false;
+    bool operator==(const TextureParameters&) const = default;
 };
 
 /// What is known of a level of a texture.

@@ -49,6 +49,7 @@ struct TextureOptions {
     TexelFormat format = TexelFormat::ByChannels;
 
     static constexpr float kMaxBias = 16.0f;
+    bool operator==(const TextureOptions&) const = default;
 };
 
 /// Images and how they are looked up; immutable once made.
