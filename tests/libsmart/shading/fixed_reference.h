@@ -145,6 +145,7 @@ inline Vec4 referenceTexCoord(const FixedState& state, const FixedVertex& v,
     Vec3 r;
     for (int k = 0; k < 3; ++k) r[k] = u[k] - 2.0 * n[k] * dot(n, u);
     const double m = 2.0 * std::sqrt(r[0] * r[0] + r[1] * r[1] + (r[2] + 1) * (r[2] + 1));
+    const Vec4 normal{n[0], n[1], n[2], 0.0}, mirrored{r[0], r[1], r[2], 0.0};
     Vec4 given = four(v.texCoord);
     for (int k = 0; k < 4; ++k) {
         const TexGen& gen = state.texture.generate[k];
@@ -158,10 +159,10 @@ inline Vec4 referenceTexCoord(const FixedState& state, const FixedVertex& v,
         case TexGenMode::ObjectLinear:
         case TexGenMode::EyeLinear: given[k] = linear; break;
         case TexGenMode::SphereMap:
-            given[k] = r[k] / m + (fault == Fault::SphereWithoutHalf ? 0.0 : 0.5);
+            given[k] = mirrored[k] / m + (fault == Fault::SphereWithoutHalf ? 0.0 : 0.5);
             break;
-        case TexGenMode::NormalMap: given[k] = n[k]; break;
-        case TexGenMode::ReflectionMap: given[k] = r[k]; break;
+        case TexGenMode::NormalMap: given[k] = normal[k]; break;
+        case TexGenMode::ReflectionMap: given[k] = mirrored[k]; break;
         }
     }
     Vec4 result{};
