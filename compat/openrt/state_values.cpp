@@ -10,6 +10,7 @@
 #include "compat/openrt/fixed_values.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/tokens.h"
+#include "compat/openrt/window_values.h"
 #include "libsmart/kernel/packet.h"
 
 namespace smart::compat {
@@ -85,7 +86,6 @@ std::optional<StateValue> frameValue(Context& context, RTenum name) {
 
 std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
     const Attributes& attributes = recorder.attributes();
-    const PixelStore& store = recorder.pixelStore();
     const BuildHints& hints = recorder.buildHints();
     switch (name) {
     case RT_CURRENT_COLOR: return vector(attributes.color, true);
@@ -93,11 +93,6 @@ std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
     case RT_CURRENT_TEXTURE_COORDS: return vector(attributes.texCoord, false);
     case RT_TEXTURE_BINDING_2D: return number(recorder.textures().bound());
     case RT_MAX_TEXTURE_SIZE: return number(TextureStore::kMaxSize);
-    case RT_UNPACK_ALIGNMENT: return number(store.alignment);
-    case RT_UNPACK_ROW_LENGTH: return number(store.rowLength);
-    case RT_UNPACK_SKIP_PIXELS: return number(store.skipPixels);
-    case RT_UNPACK_SKIP_ROWS: return number(store.skipRows);
-    case RT_UNPACK_SWAP_BYTES: return number(store.swapBytes);
     case RT_SHADER_BINDING: return number(recorder.shaders().bound().id);
     case RT_SHADER_CLASS_BINDING: return number(recorder.shaders().boundClass());
     case RT_MAX_OBJECT_DEPTH: return number(kMaxLevels);
@@ -147,6 +142,7 @@ StateValue stateValue(Context& context, RTenum name) {
     recorder.requireOutsidePrimitive();
     if (const auto value = matrixValue(recorder, name)) return *value;
     if (const auto value = frameValue(context, name)) return *value;
+    if (const auto value = windowValue(recorder, name)) return *value;
     if (const auto value = recorderValue(recorder, name)) return *value;
     if (const auto value = fixedStateValue(context, name)) return *value;
     if (const auto value = statistic(context, name)) return *value;
