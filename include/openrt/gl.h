@@ -14,6 +14,9 @@
 #    error "openrt/gl.h comes before the headers of OpenGL, GLU and GLUT"
 #endif
 
+/* For the lines of a port that are for this library only. */
+#define OPENRT 1
+
 #include "openrt/gl/functions.h"
 #include "openrt/gl/glu_names.h"
 #include "openrt/gl/glut_names.h"
