@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compat/rtut/options.h"
+
+namespace rtut {
+
+/// Pixels of a frame: RGBA, 8 bits each, row 0 at the bottom.
+struct Picture {
+    Size size{0, 0};
+    std::vector<uint8_t> rgba;
+};
+
+/// Writes the colours as PNG; returns what went wrong, "" if nothing did.
+std::string writePng(const std::string& path, const Picture& picture);
+
+} // namespace rtut
