@@ -11,7 +11,7 @@ namespace rtut {
 
 namespace {
 
-constexpr int kFrameMilliseconds = 40;    ///< off-screen
+constexpr int kFrameMilliseconds = 40;      ///< off-screen
 constexpr int kMaxFruitlessDisplays = 1000; ///< off-screen
 
 } // namespace
@@ -43,8 +43,7 @@ Window& App::createWindow(const char* title) {
     const RTcontext context = first ? rtGetCurrentContext() : rtCreateContext();
     if (!context) endProgram(1, "out of memory");
     const Size size = options_.size ? *options_.size : initialSize;
-    windows_.push_back(
-        std::make_unique<Window>(++lastWindow_, context, !first, displayMode, size));
+    windows_.push_back(std::make_unique<Window>(++lastWindow_, context, !first, displayMode, size));
     Window& window = *windows_.back();
     const bool placed = initialPlace.x >= 0 && initialPlace.y >= 0;
     window.open(title, placed ? &initialPlace : nullptr);
@@ -73,8 +72,8 @@ void App::addTimer(unsigned milliseconds, void (*callback)(int), int value) {
 void App::callTimers(int now) {
     const uint64_t newest = lastTimer_;
     while (!leaving_) {
-        const auto next = std::min_element(
-            timers_.begin(), timers_.end(), [](const Timer& a, const Timer& b) {
+        const auto next =
+            std::min_element(timers_.begin(), timers_.end(), [](const Timer& a, const Timer& b) {
                 return a.due != b.due ? a.due < b.due : a.number < b.number;
             });
         if (next == timers_.end() || next->due > now) break;
@@ -96,10 +95,14 @@ void App::countFrame() {
 
 void App::writeFrame(const Picture& picture) {
     const int number = writtenFrames_++;
-    if (options_.output.empty()) return;
-    const std::string path = frameFile(options_.output, number);
-    const std::string problem = writePng(path, picture);
-    if (!problem.empty()) endProgram(1, path + ": " + problem);
+    const auto write = [&](const std::string& pattern, auto writePicture) {
+        if (pattern.empty()) return;
+        const std::string path = frameFile(pattern, number);
+        const std::string problem = writePicture(path, picture);
+        if (!problem.empty()) endProgram(1, path + ": " + problem);
+    };
+    write(options_.output, writePng);
+    write(options_.depth, writePfm);
 }
 
 void App::end(int status) {

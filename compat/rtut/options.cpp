@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace rtut {
 
@@ -87,10 +88,11 @@ const char* apply(Options& options, std::string_view name, const char* value) {
         const auto frames = numberIn(value, 1, kMaxFrames);
         if (!frames) return "not a number of frames from 1 to 1000000";
         options.offscreenFrames = *frames;
-    } else if (name == "--rt-output") {
-        options.output = value;
-        const auto numbers = numbersIn(options.output);
-        if (options.output.empty() || !numbers || *numbers > 1)
+    } else if (name == "--rt-output" || name == "--rt-depth") {
+        std::string& pattern = name == "--rt-output" ? options.output : options.depth;
+        pattern = value;
+        const auto numbers = numbersIn(pattern);
+        if (pattern.empty() || !numbers || *numbers > 1)
             return "not a file name with one %d for the number of a frame";
     } else if (name == "--rt-size") {
         options.size = sizeOf(value);
@@ -102,12 +104,21 @@ const char* apply(Options& options, std::string_view name, const char* value) {
 }
 
 bool takesValue(std::string_view name) {
-    return name == "--rt-offscreen" || name == "--rt-output" || name == "--rt-size" ||
-           name == "-geometry" || name == "-display";
+    return name == "--rt-offscreen" || name == "--rt-output" || name == "--rt-depth" ||
+           name == "--rt-size" || name == "-geometry" || name == "-display";
 }
 bool isIgnored(std::string_view name) {
     return name == "-iconic" || name == "-direct" || name == "-indirect" || name == "-sync" ||
            name == "-gldebug";
+}
+
+/// What is wrong with the files asked for, "" if nothing is.
+std::string problemOf(const std::string& name, const std::string& pattern, int frames) {
+    if (pattern.empty()) return {};
+    if (frames == 0) return name + ": there are no files without --rt-offscreen";
+    if (frames > 1 && numbersIn(pattern) == 0)
+        return name + ' ' + pattern + ": a %d is missing for several frames";
+    return {};
 }
 
 } // namespace
@@ -135,11 +146,9 @@ Options takeArguments(int* argcp, char** argv, std::string& problem) {
     }
     if (kept < count) argv[kept] = nullptr;
     *argcp = kept;
-    if (options.offscreenFrames == 0 && !options.output.empty())
-        problem = "--rt-output: there are no files without --rt-offscreen";
-    else if (options.offscreenFrames > 1 && !options.output.empty() &&
-             numbersIn(options.output) == 0)
-        problem = "--rt-output " + options.output + ": a %d is missing for several frames";
+    for (const auto& [name, pattern] :
+         {std::pair("--rt-output", &options.output), std::pair("--rt-depth", &options.depth)})
+        if (problem.empty()) problem = problemOf(name, *pattern, options.offscreenFrames);
     return options;
 }
 

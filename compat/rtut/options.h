@@ -19,6 +19,7 @@ inline constexpr int kMaxWindowSize = 16384; ///< pixels, each way
 struct Options {
     int offscreenFrames = 0; ///< 0: on screen
     std::string output;      ///< a pattern for frameFile; empty: no files
+    std::string depth;       ///< the same, of files with the window depth
     std::optional<Size> size;
     std::optional<Size> initialSize; ///< -geometry: only until the program asks for another
     std::optional<Place> initialPlace;

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <cstring>
+#include <fstream>
 
 namespace rtut {
 
@@ -22,6 +23,15 @@ std::string writePng(const std::string& path, const Picture& picture) {
                                 nullptr))
         return {};
     return image.message;
+}
+
+std::string writePfm(const std::string& path, const Picture& picture) {
+    std::ofstream file(path, std::ios::binary);
+    file << "Pf\n" << picture.size.width << ' ' << picture.size.height << "\n-1.0\n";
+    file.write(reinterpret_cast<const char*>(picture.depth.data()),
+               std::streamsize(picture.depth.size() * sizeof(float)));
+    file.close();
+    return file ? "" : "could not be written";
 }
 
 } // namespace rtut

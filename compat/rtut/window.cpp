@@ -10,11 +10,12 @@ namespace rtut {
 void FrameChain::resize(Size size) {
     finish();
     for (Picture& picture : pictures_) {
-        picture.rgba.assign(std::size_t(size.width) * std::size_t(size.height) * 4, 0);
+        const std::size_t pixels = std::size_t(size.width) * std::size_t(size.height);
+        picture.rgba.assign(pixels * 4, 0);
+        if (!app().options().depth.empty()) picture.depth.assign(pixels, 1.0f);
         picture.size = size;
     }
-    rtSetFrameBuffer(pictures_[described_].rgba.data(), RTuint(size.width), RTuint(size.height),
-                     RT_RGBA_8);
+    usePicture();
 }
 
 bool FrameChain::queue() {
@@ -23,10 +24,15 @@ bool FrameChain::queue() {
     finish();
     underWay_ = frame;
     described_ = 1 - described_;
+    usePicture();
+    return true;
+}
+
+void FrameChain::usePicture() {
     Picture& next = pictures_[described_];
     rtSetFrameBuffer(next.rgba.data(), RTuint(next.size.width), RTuint(next.size.height),
                      RT_RGBA_8);
-    return true;
+    if (!next.depth.empty()) rtSetAuxBuffer(RT_DEPTH, next.depth.data(), RT_FLOAT);
 }
 
 void FrameChain::finish() {
@@ -43,7 +49,11 @@ void FrameChain::finishIfDone() {
 }
 
 Window::Window(int id, RTcontext context, bool ownsContext, unsigned mode, Size firstSize)
-    : displayMode(mode), size(firstSize), id_(id), context_(context), ownsContext_(ownsContext),
+    : displayMode(mode),
+      size(firstSize),
+      id_(id),
+      context_(context),
+      ownsContext_(ownsContext),
       frames_(*this) {}
 
 Window::~Window() {
@@ -69,7 +79,9 @@ void Window::select() {
     if (rtGetCurrentContext() != context_) rtMakeCurrent(context_);
 }
 
-bool Window::isDoubleBuffered() const { return displayMode & RTUT_DOUBLE; }
+bool Window::isDoubleBuffered() const {
+    return displayMode & RTUT_DOUBLE;
+}
 
 void Window::swap() {
     if (frames_.queue())
@@ -169,6 +181,8 @@ void Window::entered(bool inside) {
     call(callbacks.entry, 0, inside ? RTUT_ENTERED : RTUT_LEFT);
 }
 
-bool Window::wantsRepeat() const { return !ignoresRepeat && app().repeatsKeys; }
+bool Window::wantsRepeat() const {
+    return !ignoresRepeat && app().repeatsKeys;
+}
 
 } // namespace rtut

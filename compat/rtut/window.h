@@ -51,6 +51,9 @@ public:
     bool isUnderWay() const { return underWay_ != RT_INVALID; }
 
 private:
+    /// Lets the next frame be rendered to the picture described.
+    void usePicture();
+
     Audience& audience_;
     Picture pictures_[2];
     int described_ = 0; ///< which of them the next frame is rendered to

@@ -21,6 +21,7 @@
  *     --rt-offscreen N       frames to render, 1 to 1,000,000
  *     --rt-output PATTERN    a PNG file for each frame, rows from the top, 8-bit RGB; one %d, as
  *                            in frame%03d.png, stands for its number from 0. Without: no files
+ *     --rt-depth PATTERN     the same, of PFM files with the window depth, float, rows from below
  *     --rt-size WxH          the size of windows, whatever the program asks for; also on screen
  *   A wrong value prints a message and ends the program with exit status 2. So does, as in GLUT,
  *   -geometry WxH+X+Y; -display NAME, -iconic, -direct, -indirect, -sync, -gldebug are taken out
