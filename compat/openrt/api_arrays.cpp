@@ -92,7 +92,8 @@ void interleave(VertexArrays& arrays, const InterleavedFormat& format, RTsizei s
         array.size = size;
         array.type = type;
         array.stride = step;
-        array.pointer = reinterpret_cast<const void*>(reinterpret_cast<uintptr_t>(pointer) + offset);
+        array.pointer =
+            reinterpret_cast<const void*>(reinterpret_cast<uintptr_t>(pointer) + offset);
         array.buffer = arrays.arrayBuffer;
     };
     for (const ArrayKind kind : {ArrayKind::EdgeFlag, ArrayKind::Index, ArrayKind::SecondaryColor,
@@ -176,7 +177,8 @@ RTAPI void RTAPIENTRY rtGetPointerv(RTenum pname, void** params) {
     guarded(__func__, [&](Context& c) {
         const VertexArrays& arrays = arraysOutside(c);
         const std::optional<ArrayKind> kind = arrayPointerOf(pname);
-        const bool never = pname == RT_FEEDBACK_BUFFER_POINTER || pname == RT_SELECTION_BUFFER_POINTER;
+        const bool never =
+            pname == RT_FEEDBACK_BUFFER_POINTER || pname == RT_SELECTION_BUFFER_POINTER;
         if (!kind && !never) throwError(ErrorCode::InvalidEnum, "no such pointer");
         requirePointer(params, "params");
         *params = kind ? const_cast<void*>(arrays[*kind].pointer) : nullptr;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "compat/openrt/capabilities.h"
 
+#include <optional>
 #include <string>
 
+#include "compat/openrt/array_names.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/tokens.h"
 #include "openrt/enums.h"
@@ -111,6 +113,8 @@ bool isEnabled(Context& context, RTenum cap) {
     IdleState idle = recorder.idleStateNow();
     if (const bool* const other = otherSwitchOf(recorder.frameSettings(), idle, cap))
         return *other;
+    if (const std::optional<ArrayKind> kind = arrayKindOf(cap))
+        return context.arrays()[*kind].enabled;
     if (!isKnown(cap)) throwError(ErrorCode::InvalidEnum, "no such switch");
     return false;
 }

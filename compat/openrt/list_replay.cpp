@@ -44,8 +44,9 @@ void makeEach(Context& c, const CallStream& calls, const ListSegment& segment) {
 /// Whether there is a model of the run for the bound shader; one that a call fails in has none.
 bool compile(Context& c, const CallStream& calls, ListSegment& run) {
     Recorder& recorder = c.recorder();
-    if (run.hasErrors || !recorder.shaders().bound().isSurface) return false;
-    if (run.compiled && run.compiled->fits(recorder.shaders().bound())) return true;
+    const BoundShader& bound = recorder.shaders().bound();
+    if (run.hasErrors || !bound.isSurface) return false;
+    if (run.compiled && run.compiled->fits(bound, recorder.attributes().materials)) return true;
     run.compiled.reset();
     try {
         run.compiled.emplace(recorder.compileRun([&] {

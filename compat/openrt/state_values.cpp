@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "compat/openrt/array_names.h"
 #include "compat/openrt/capabilities.h"
 #include "compat/openrt/fixed_values.h"
 #include "compat/openrt/guard.h"
@@ -91,7 +92,10 @@ std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
     case RT_CURRENT_COLOR: return vector(attributes.color, true);
     case RT_CURRENT_NORMAL: return vector(attributes.normal, true);
     case RT_CURRENT_TEXTURE_COORDS: return vector(attributes.texCoord, false);
-    case RT_TEXTURE_BINDING_2D: return number(recorder.textures().bound());
+    case RT_TEXTURE_BINDING_1D:
+        return number(recorder.textures().bound(TextureTarget::OneDimensional));
+    case RT_TEXTURE_BINDING_2D:
+        return number(recorder.textures().bound(TextureTarget::TwoDimensional));
     case RT_MAX_TEXTURE_SIZE: return number(TextureStore::kMaxSize);
     case RT_SHADER_BINDING: return number(recorder.shaders().bound().id);
     case RT_SHADER_CLASS_BINDING: return number(recorder.shaders().boundClass());
@@ -135,6 +139,20 @@ std::optional<StateValue> statistic(Context& context, RTenum name) {
     }
 }
 
+std::optional<StateValue> listValue(DisplayLists& lists, RTenum name) {
+    const ListRecording* const recording = lists.recording();
+    switch (name) {
+    case RT_LIST_BASE: return number(lists.base());
+    case RT_LIST_INDEX: return number(recording ? recording->name() : 0);
+    case RT_LIST_MODE:
+        return number(!recording              ? 0
+                      : recording->executes() ? RT_COMPILE_AND_EXECUTE
+                                              : RT_COMPILE);
+    case RT_MAX_LIST_NESTING: return number(DisplayLists::kMaxNesting);
+    default: return std::nullopt;
+    }
+}
+
 } // namespace
 
 StateValue stateValue(Context& context, RTenum name) {
@@ -145,6 +163,8 @@ StateValue stateValue(Context& context, RTenum name) {
     if (const auto value = windowValue(recorder, name)) return *value;
     if (const auto value = recorderValue(recorder, name)) return *value;
     if (const auto value = fixedStateValue(context, name)) return *value;
+    if (const auto value = listValue(context.lists(), name)) return *value;
+    if (const auto value = arrayStateValue(context.arrays(), name)) return *value;
     if (const auto value = statistic(context, name)) return *value;
     if (isCapability(name)) return number(isEnabled(context, name));
     if (isStateVariable(name))

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs of primitives of display lists.
+#include <utility>
+
 #include "compat/recorder/recorder.h"
 #include "compat/recorder/transforms.h"
 #include "libsmart/geometry/instance_group.h"
@@ -30,7 +32,8 @@ CompiledRun Recorder::compileRun(const std::function<void()>& calls) {
     } const close{*this};
     calls();
     requireOutsidePrimitive();
-    return {compiler_.compile(open_->recording), shaders_.bound()};
+    ModelPtr model = compiler_.compile(open_->recording);
+    return {std::move(model), shaders_.bound(), open_->savedAttributes.materials};
 }
 
 } // namespace smart::compat

@@ -115,6 +115,25 @@ TEST_F(DisplayLists, ColourOfTheMomentWhereTheListSetsNone) {
     }
 }
 
+TEST_F(DisplayLists, MaterialsOfTheMomentWhereTheListSetsOthers) {
+    const auto lit = [](float emission, const std::function<void()>& draw) {
+        const float light[4] = {emission, 0, 0, 1};
+        rtMaterialfv(RT_FRONT_AND_BACK, RT_EMISSION, light);
+        draw();
+    };
+    const auto draw = [] {
+        const float ambient[4] = {0, 1, 0, 1};
+        rtMaterialfv(RT_FRONT_AND_BACK, RT_AMBIENT, ambient);
+        drawShapes();
+    };
+    rtEnable(RT_LIGHTING);
+    const RTuint list = newList(draw);
+    for (const float emission : {0.5f, 0.125f, 0.5f}) {
+        const Pixels direct = pictureOf([&] { lit(emission, draw); });
+        EXPECT_EQ(pictureOf([&] { lit(emission, [list] { rtCallList(list); }); }), direct);
+    }
+}
+
 TEST_F(DisplayLists, FlattenedGeometryIsDrawn) {
     const auto flat = [](const std::function<void()>& draw) {
         rtTranslatef(0, 0, -3);
@@ -178,13 +197,11 @@ TEST_F(DisplayLists, BeginInOneListEndInAnother) {
 TEST_F(DisplayLists, ShaderOfTheMoment) {
     const RTuint list = newList(drawShapes);
     const auto shader = [](float red) {
-        rtGenNewShaderClass("Flat", nullptr);
+        rtGenNewShaderClass("ConstantShader", nullptr);
         const RTuint made = rtGenNewShader();
-        rtParameter3f(rtParameterHandle("color"), red, 0, 0);
+        rtParameter3f(rtParameterHandle("value"), red, 0, 0);
         return made;
     };
-    if (rtGenNewShaderClass("Flat", nullptr) == RT_INVALID) GTEST_SKIP();
-    rtGetError();
     const RTuint shaders[] = {shader(0.25f), shader(0.75f)};
     ASSERT_EQ(rtGetError(), unsigned(RT_NO_ERROR)) << rtGetErrorText();
     for (const RTuint bound : shaders) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The program in docs/porting.md, compiled and run as the page says; openrt/gl.h among other headers.
+"""The program in docs/porting.md, compiled and run as the page says; openrt/gl.h among others.
 
 porting_page_test.py SOURCE_FOLDER C_COMPILER CXX_COMPILER INCLUDE_FOLDER... [-- RTUT OPENRT]
 
