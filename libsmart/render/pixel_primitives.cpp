@@ -36,7 +36,7 @@ const FixedRaster& rasterOf(const FixedState* state) {
 
 /// Pixels beyond the line between two vertices that it may cover.
 double reachOf(float width) {
-    return std::min(std::max(double(width), 1.0), double(kMaxPixelSize)) / 2 + 2.0;
+    return limitedSize(width) / 2 + 2.0;
 }
 
 template <class Add>
@@ -54,7 +54,8 @@ void forEachTileOfLine(const PixelItems::Line& line, uint32_t columns, uint32_t 
     const glm::dvec2 a = line.from.at, b = line.to.at, run = b - a;
     const int major = std::abs(run.y) > std::abs(run.x) ? 1 : 0, minor = 1 - major;
     const double reach = reachOf(rasterOf(line.state).lineWidth);
-    const PixelRange whole{std::min(a[major], b[major]) - reach, std::max(a[major], b[major]) + reach};
+    const PixelRange whole{std::min(a[major], b[major]) - reach,
+                           std::max(a[major], b[major]) + reach};
     const TileRange tiles = tilesOf(whole, major == 0 ? columns : rows);
     if (tiles.empty) return;
     const double slope = run[major] == 0.0 ? 0.0 : run[minor] / run[major];
@@ -163,8 +164,7 @@ public:
                 });
             return;
         }
-        const LineRectangle rectangle(line.from.at, line.to.at,
-                                      std::clamp(raster.lineWidth, 1.0f, kMaxPixelSize));
+        const LineRectangle rectangle(line.from.at, line.to.at, limitedSize(raster.lineWidth));
         rectangle.forEach(tile_, [&](uint32_t x, uint32_t y) {
             const double along = rectangle.along({x + 0.5, y + 0.5});
             if (stippledAway(raster, line.stippleStart + uint32_t(std::max(along, 0.0)))) return;

@@ -4,16 +4,13 @@
 #include "libsmart/render/line_raster.h"
 
 namespace smart {
-namespace {
 
-double limited(float size) {
-    return std::clamp(double(size), 1.0, double(kMaxPixelSize));
+double limitedSize(float size) {
+    return size > 1.0f ? double(std::min(size, kMaxPixelSize)) : 1.0;
 }
 
-} // namespace
-
 uint32_t wholePixels(float size) {
-    return uint32_t(limited(size) + 0.5);
+    return uint32_t(limitedSize(size) + 0.5);
 }
 
 PixelBox pointSquare(const glm::dvec2& at, float size) {
@@ -27,7 +24,8 @@ PixelBox pointSquare(const glm::dvec2& at, float size) {
     return {x, y, x + side, y + side};
 }
 
-PointDisc::PointDisc(const glm::dvec2& at, float size) : center_(at), radius_(limited(size) / 2) {}
+PointDisc::PointDisc(const glm::dvec2& at, float size)
+    : center_(at), radius_(limitedSize(size) / 2) {}
 
 PixelBox PointDisc::box() const {
     const auto low = [this](double c) { return int64_t(std::floor(c - radius_)); };

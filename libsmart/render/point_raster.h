@@ -44,9 +44,11 @@ private:
     double radius_;
 };
 
-/// A width or size as aliased lines and points have it: whole, at least 1.
-uint32_t wholePixels(float size);
 /// The largest size of points and width of lines.
 inline constexpr float kMaxPixelSize = 2048.0f;
+/// A size or width as lines and points have it: 1 to kMaxPixelSize; NaN: 1. Aliased ones have it
+/// rounded.
+double limitedSize(float size);
+uint32_t wholePixels(float size);
 
 } // namespace smart
