@@ -182,7 +182,8 @@ void setMaterial(FixedMaterial& material, RTenum pname, const CallValues& values
 
 void setMaterial(const char* function, RTenum faces, RTenum pname,
                  const CallValues& values) noexcept {
-    recorded(function, [=](Context& c) {
+    const uint64_t attribute = uint64_t(faces) << 32 | pname;
+    recordedAttribute(function, attribute, [=](Context& c) {
         Recorder& recorder = c.recorder();
         const FixedFace face = fixedFaceOf(faces);
         FixedMaterials materials = recorder.materials();
