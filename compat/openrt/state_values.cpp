@@ -10,6 +10,7 @@
 #include "compat/openrt/capabilities.h"
 #include "compat/openrt/fixed_values.h"
 #include "compat/openrt/guard.h"
+#include "compat/openrt/pixel_values.h"
 #include "compat/openrt/tokens.h"
 #include "compat/openrt/window_values.h"
 #include "libsmart/kernel/packet.h"
@@ -161,6 +162,7 @@ StateValue stateValue(Context& context, RTenum name) {
     if (const auto value = matrixValue(recorder, name)) return *value;
     if (const auto value = frameValue(context, name)) return *value;
     if (const auto value = windowValue(recorder, name)) return *value;
+    if (const auto value = pixelValue(recorder, name)) return *value;
     if (const auto value = recorderValue(recorder, name)) return *value;
     if (const auto value = fixedStateValue(context, name)) return *value;
     if (const auto value = listValue(context.lists(), name)) return *value;

@@ -45,7 +45,7 @@ private:
 };
 
 /// The largest size of points and width of lines.
-inline constexpr float kMaxPixelSize = 2048.0f;
+inline constexpr float kMaxPixelSize = 255.0f;
 /// A size or width as lines and points have it: 1 to kMaxPixelSize; NaN: 1. Aliased ones have it
 /// rounded.
 double limitedSize(float size);
