@@ -19,6 +19,7 @@ SavedState saved(Context& context, uint32_t groups) {
     state.attributes = recorder.attributes();
     state.materials = recorder.materials();
     state.frame = recorder.frameSettings();
+    state.pixels = recorder.pixelDrawingNow();
     state.matrixMode = recorder.matrices().mode();
     state.texture2D = recorder.textures().bound();
     state.texture2DParameters = recorder.textures().parameters();
@@ -146,6 +147,13 @@ void restoreIdle(IdleState& idle, const SavedState& saved) {
     }
 }
 
+void restorePixels(PixelDrawing& pixels, const SavedState& saved) {
+    const RasterPosition raster =
+        (saved.groups & kCurrentGroup) != 0 ? saved.pixels.raster : pixels.raster;
+    if ((saved.groups & kPixelModeGroup) != 0) pixels = saved.pixels;
+    pixels.raster = raster;
+}
+
 void restoreFrame(FrameSettings& frame, const SavedState& saved) {
     const FrameSettings& was = saved.frame;
     const auto has = [&](uint32_t groups) { return (saved.groups & groups) != 0; };
@@ -203,6 +211,7 @@ void popAttributes(Context& context) {
     if (materials) recorder.setMaterials(saved.materials);
     restoreIdle(recorder.idleState(), saved);
     restoreFrame(recorder.frameSettings(), saved);
+    restorePixels(recorder.pixelDrawing(), saved);
     if (has(kTextureGroup)) restoreTexture(recorder.textures(), saved);
     if (has(kTransformGroup)) recorder.matrices().setMode(saved.matrixMode);
     if (has(kListGroup)) context.lists().setBase(saved.listBase);

@@ -9,6 +9,7 @@
 #include "compat/recorder/frame_settings.h"
 #include "compat/recorder/idle_state.h"
 #include "compat/recorder/matrix_stack.h"
+#include "compat/recorder/pixel_drawing.h"
 #include "compat/recorder/pixel_unpack.h"
 #include "compat/recorder/texture_store.h"
 #include "compat/recorder/vertex_arrays.h"
@@ -52,6 +53,7 @@ struct SavedState {
     Attributes attributes;
     FixedMaterials materials; ///< what followed the colour included
     FrameSettings frame;
+    PixelDrawing pixels;
     MatrixMode matrixMode = MatrixMode::ModelView;
     uint32_t texture2D = 0; ///< bound, and its parameters
     TextureParameters texture2DParameters;
