@@ -46,7 +46,7 @@ std::vector<Case> casesWith(const std::string& prefix, const Settings& settings)
     return cases;
 }
 
-std::vector<Result> runAll(const std::vector<Case>& cases) {
+std::vector<Result> runAll(const std::vector<Case>& cases, bool failFast) {
     std::vector<Result> results;
     for (const Case& one : cases) {
         results.push_back(one.run());
@@ -54,6 +54,7 @@ std::vector<Result> runAll(const std::vector<Case>& cases) {
         std::printf("%s %s\n", result.passed() ? "passed" : "FAILED", result.name.c_str());
         for (const std::string& failure : result.failures) std::printf("    %s\n", failure.c_str());
         std::fflush(stdout);
+        if (failFast && !result.passed()) break;
     }
     return results;
 }
@@ -70,7 +71,7 @@ int run(int argc, char** argv) {
     settings.openGlPrograms = OPENRT_CONFORMANCE_GL;
     settings.openRtPrograms = OPENRT_CONFORMANCE_RT;
     std::string json, html, prefix;
-    bool list = false;
+    bool list = false, failFast = false;
     CLI::App app("Compares a libOpenRT.so with OpenGL, as OSMesa renders it.");
     app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
         ->check(CLI::ExistingFile);
@@ -81,6 +82,9 @@ int run(int argc, char** argv) {
     app.add_option("--openrt-programs", settings.openRtPrograms, "folder of the ports to test");
     app.add_flag("--list", list, "names of the cases, nothing else");
     app.add_flag("--quick", settings.quick, "one size and one frame of each port");
+    app.add_flag("--fail-fast", failFast, "end after the first case that fails");
+    app.add_option("--seconds", settings.seconds, "that one program may take")
+        ->check(CLI::PositiveNumber);
     CLI11_PARSE(app, argc, argv);
     if (!settings.library.empty()) settings.library = std::filesystem::canonical(settings.library);
 
@@ -96,7 +100,7 @@ int run(int argc, char** argv) {
         for (const Case& one : cases) std::printf("%s\n", one.name.c_str());
         return 0;
     }
-    const std::vector<Result> results = runAll(cases);
+    const std::vector<Result> results = runAll(cases, failFast);
     const std::string library = settings.library.empty() ? "as built" : settings.library.string();
     if (!json.empty()) {
         std::ofstream file(json);

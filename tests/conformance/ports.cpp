@@ -13,7 +13,6 @@
 namespace conformance {
 namespace {
 
-constexpr int kSeconds = 120;
 // A 128th of a pixel each way, and the control's half.
 constexpr const char* kShifts[] = {"0.0078125,0.0078125", "-0.0078125,0.0078125",
                                    "0.0078125,-0.0078125", "-0.0078125,-0.0078125"};
@@ -30,8 +29,8 @@ std::string variantName(const std::string& pattern, int frame, int variant) {
 }
 
 void runOrThrow(const std::vector<std::string>& arguments,
-                const std::vector<std::string>& environment) {
-    const Outcome outcome = runProgram(arguments, environment, kSeconds);
+                const std::vector<std::string>& environment, int seconds) {
+    const Outcome outcome = runProgram(arguments, environment, seconds);
     const std::string failure = outcome.failure(arguments[0]);
     if (!failure.empty()) throw std::runtime_error(failure);
 }
@@ -100,11 +99,11 @@ void PortRun::renderReference() {
                                           report};
     for (const char* shift : kShifts) arguments.insert(arguments.end(), {"--rt-variant", shift});
     arguments.insert(arguments.end(), {"--rt-variant", kControlShift});
-    runOrThrow(arguments, environment);
+    runOrThrow(arguments, environment, settings_.seconds);
     runOrThrow({program, "-geometry", size_.text(), "--rt-offscreen", std::to_string(frames_),
                 "--rt-output", pattern("split", ".png"), "--rt-depth", pattern("split", ".pfm"),
                 "--rt-split", "first"},
-               environment);
+               environment, settings_.seconds);
     const nlohmann::json told = nlohmann::json::parse(std::ifstream(report));
     for (std::size_t k = 0; k < 3; ++k)
         clear_[k] = std::uint8_t(std::lround(255.0 * told["clear"][k].get<double>()));
@@ -119,7 +118,7 @@ void PortRun::renderTest() {
     runOrThrow({settings_.openRtPrograms / port_, "-geometry", size_.text(), "--rt-offscreen",
                 std::to_string(frames_), "--rt-output", pattern("rt", ".png"), "--rt-depth",
                 pattern("rt", ".pfm")},
-               environment);
+               environment, settings_.seconds);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     testMilliseconds_ = time.count() / frames_;
 }

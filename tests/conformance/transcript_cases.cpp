@@ -9,7 +9,6 @@ namespace conformance {
 namespace {
 
 constexpr const char* kPrograms[] = {"errors", "primitives", "state"};
-constexpr int kSeconds = 120;
 
 struct Answers {
     Transcript openGl, openRt;
@@ -24,8 +23,9 @@ Answers ask(const Settings& settings, const std::string& program) {
     if (!settings.library.empty()) environment.push_back("LD_PRELOAD=" + settings.library.string());
     const Outcome openGl =
         runProgram({first, "--rt-offscreen", "1"},
-                   {"LP_NUM_THREADS=0", "ASAN_OPTIONS=detect_leaks=0"}, kSeconds);
-    const Outcome openRt = runProgram({second, "--rt-offscreen", "1"}, environment, kSeconds);
+                   {"LP_NUM_THREADS=0", "ASAN_OPTIONS=detect_leaks=0"}, settings.seconds);
+    const Outcome openRt =
+        runProgram({second, "--rt-offscreen", "1"}, environment, settings.seconds);
     answers.openGl = parseTranscript(openGl.output);
     answers.openRt = parseTranscript(openRt.output);
     answers.failure = openGl.failure(first) + openRt.failure(second);
