@@ -101,7 +101,6 @@ RTAPI void RTAPIENTRY rtEdgeFlagv(const RTboolean *flag);
  * do for it what the rtTexCoord calls do.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtActiveTexture(RTenum texture);
-RTAPI void RTAPIENTRY rtClientActiveTexture(RTenum texture);
 RTAPI void RTAPIENTRY rtMultiTexCoord1d(RTenum target, RTdouble s);
 RTAPI void RTAPIENTRY rtMultiTexCoord1dv(RTenum target, const RTdouble *v);
 RTAPI void RTAPIENTRY rtMultiTexCoord1f(RTenum target, RTfloat s);
