@@ -16,7 +16,7 @@ struct Settings {
     std::filesystem::path work;           // pictures; emptied case by case unless kept
     bool keepPictures = false;
     bool quick = false;
-    int seconds = 120;                     // that a program may take
+    int seconds = 120; // that a program may take
 };
 
 struct Result {

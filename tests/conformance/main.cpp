@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "tests/conformance/conformance_case.h"
+#include "tests/conformance/frame_times.h"
 #include "tests/conformance/report.h"
 
 namespace {
@@ -71,7 +72,7 @@ int run(int argc, char** argv) {
     settings.openGlPrograms = OPENRT_CONFORMANCE_GL;
     settings.openRtPrograms = OPENRT_CONFORMANCE_RT;
     std::string json, html, prefix;
-    bool list = false, failFast = false;
+    bool list = false, failFast = false, times = false;
     CLI::App app("Compares a libOpenRT.so with OpenGL, as OSMesa renders it.");
     app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
         ->check(CLI::ExistingFile);
@@ -82,6 +83,8 @@ int run(int argc, char** argv) {
     app.add_option("--openrt-programs", settings.openRtPrograms, "folder of the ports to test");
     app.add_flag("--list", list, "names of the cases, nothing else");
     app.add_flag("--quick", settings.quick, "one size and one frame of each port");
+    app.add_flag("--times", times,
+                 "milliseconds of a frame of both instead; --cases: of which port");
     app.add_flag("--fail-fast", failFast, "end after the first case that fails");
     app.add_option("--seconds", settings.seconds, "that one program may take")
         ->check(CLI::PositiveNumber);
@@ -95,6 +98,7 @@ int run(int argc, char** argv) {
         settings.work = html;
         settings.keepPictures = true;
     }
+    if (times) return measureFrameTimes(settings, prefix).empty() ? 1 : 0;
     const std::vector<Case> cases = casesWith(prefix, settings);
     if (list) {
         for (const Case& one : cases) std::printf("%s\n", one.name.c_str());

@@ -48,8 +48,6 @@ Result comparePort(const Settings& settings, const Port& port, Size size, int fr
                          differencePicture(reference.frame.color, test.color));
             }
         }
-        result.numbers["openGlMs"] = run.referenceMilliseconds();
-        result.numbers["openRtMs"] = run.testMilliseconds();
     } catch (const std::exception& error) {
         result.failures.push_back(error.what());
     }

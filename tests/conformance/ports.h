@@ -38,8 +38,6 @@ public:
     Reference reference(int frame) const;
     Frame shifted(int frame) const; // OSMesa moved by half a pixel, for the control
     Frame test(int frame) const;
-    double referenceMilliseconds() const { return referenceMilliseconds_; }
-    double testMilliseconds() const { return testMilliseconds_; }
 
     std::string picturePath(const char* which, int frame) const;
 
@@ -52,7 +50,6 @@ private:
     Size size_;
     int frames_;
     std::array<std::uint8_t, 3> clear_{};
-    double referenceMilliseconds_ = 0, testMilliseconds_ = 0;
 };
 
 } // namespace conformance
