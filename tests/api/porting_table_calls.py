@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Writes porting_table_calls.inc: what the tables say of each function, as rows that call it.
 
-Each function gets zeros and null pointers. REFUSED and CARRIED_OUT are macros of the program that
-includes the file; of GLUT's functions only the names are needed.
+Each function gets zeros and null pointers. REFUSED, CARRIED_OUT and the like are macros of the
+program that includes the file; GLUT's functions that are carried out may open windows or not come
+back, and only their names are given.
 """
 import pathlib
 import re
@@ -42,7 +43,11 @@ def main():
         for row in tables[library]:
             kind = "REFUSED" if row["status"] == "refused" else "CARRIED_OUT"
             lines.append(f'{kind}("{row["name"]}", {call(row)})')
-    lines += [f"GLUT_NAME({row['name']})" for row in tables["glut"]]
+    for row in tables["glut"]:
+        if row["status"] == "refused":
+            lines.append(f'GLUT_REFUSED("{row["name"]}", {call(row)})')
+        else:
+            lines.append(f"GLUT_NAME({row['name']})")
     target.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 

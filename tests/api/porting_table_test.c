@@ -35,6 +35,7 @@ static void finish(const char *name, int refused) {
     start();                    \
     call;                       \
     finish(name, 0);
+#define GLUT_REFUSED(name, call)
 #define GLUT_NAME(name)
 
 static void openGlFunctions(void) {
@@ -43,10 +44,24 @@ static void openGlFunctions(void) {
 
 #undef REFUSED
 #undef CARRIED_OUT
+#undef GLUT_REFUSED
 #undef GLUT_NAME
 #define REFUSED(name, call)
 #define CARRIED_OUT(name, call)
+#define GLUT_REFUSED(name, call) \
+    call;                        \
+    glutSaysSo(name);            \
+    ++names;
 #define GLUT_NAME(name) names += (void (*)(void))name != NULL;
+
+static void glutSaysSo(const char *name) {
+    const char *text = rtutGetErrorText();
+    const size_t length = strlen(name);
+    const int right = strncmp(text, name, length) == 0 && text[length] == ':' &&
+                      strstr(text, "not part of this release") != NULL;
+    if (!right) fprintf(stderr, "%s: '%s'\n", name, text);
+    failureCount += !right;
+}
 
 static int glutFunctions(void) {
     int names = 0;
