@@ -17,7 +17,7 @@ public:
     static constexpr unsigned kMaxNesting = 64;
     /// Calls of lists that one call from outside may come to: lists that call each other several
     /// times would else make 2^64 calls within the depth allowed.
-    static constexpr uint32_t kMaxCalls = 1u << 22;
+    static constexpr uint32_t kMaxCalls = 1u << 20;
 
     /// n consecutive names that exist from now on; 0: there are none.
     uint32_t generate(uint32_t n) { return names_.addFree(n); }

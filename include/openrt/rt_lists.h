@@ -44,7 +44,7 @@ RTAPI void RTAPIENTRY rtEndList(void);
  * RT_2_BYTES, RT_3_BYTES or RT_4_BYTES, the highest byte first. The base is 0 at the start.
  * Errors:  RT_INVALID_VALUE      n negative, lists NULL
  *          RT_INVALID_ENUM       another type
- *          RT_INVALID_OPERATION  lists that call each other more than four million times
+ *          RT_INVALID_OPERATION  lists that call each other more than a million times
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtCallList(RTuint list);
 RTAPI void RTAPIENTRY rtCallLists(RTsizei n, RTenum type, const void *lists);
