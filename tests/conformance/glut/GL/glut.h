@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The part of GLUT 3.7 that the sample ports use, for the off-screen driver of OSMesa
  * (tests/conformance/osmesa_glut.c). Names, signatures and values are GLUT's. */
-#ifndef __glut_h__
-#define __glut_h__
+#ifndef OPENRT_CONFORMANCE_GLUT_H
 #define OPENRT_CONFORMANCE_GLUT_H
 
 #include <GL/gl.h>
