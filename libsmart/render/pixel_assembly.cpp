@@ -192,7 +192,15 @@ private:
             a.lit.primary = b.lit.primary;
             a.lit.secondary = b.lit.secondary;
         }
-        if (volume_.clipLine(a, b)) addLine(toWindow_(a), toWindow_(b));
+        const ClipVolume::Line left = volume_.clipLine(a, b);
+        if (left == ClipVolume::Line::Gone) return;
+        const WindowVertex from = toWindow_(a);
+        WindowVertex to = toWindow_(b);
+        // A line that goes on leaves the last pixel, if only just.
+        const double length = glm::length(to.at - from.at);
+        if (left == ClipVolume::Line::EndCut && length > 0.0)
+            to = between(from, to, 1.0 + 1.5 / (kSubpixels * length));
+        addLine(from, to);
     }
 
     // Edges or corners of a triangle, as the state asks for on the side that is seen.

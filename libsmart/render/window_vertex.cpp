@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "libsmart/render/line_raster.h"
 
@@ -74,21 +73,26 @@ bool ClipVolume::contains(const ClipVertex& vertex) const {
     return vertex.clip.w > 0.0;
 }
 
-bool ClipVolume::clipLine(ClipVertex& a, ClipVertex& b) const {
-    double start = 0.0, end = 1.0;
+// Where the line meets a plane that its ends lie on both sides of. Far ends leave no digit to the
+// point itself: on the volume's planes it is put where it belongs.
+ClipVertex ClipVolume::meeting(int plane, const ClipVertex& a, const ClipVertex& b) const {
+    const double da = distance(plane, a), db = distance(plane, b);
+    ClipVertex vertex = between(a, b, da / (da - db));
+    if (plane < kFrustumPlanes)
+        vertex.clip[plane / 2] = plane % 2 == 0 ? -vertex.clip.w : vertex.clip.w;
+    return vertex;
+}
+
+ClipVolume::Line ClipVolume::clipLine(ClipVertex& a, ClipVertex& b) const {
+    Line left = Line::Whole;
     for (int plane = 0; plane < planes_; ++plane) {
-        const double da = distance(plane, a), db = distance(plane, b);
-        if (!(da >= 0.0) && !(db >= 0.0)) return false;
-        if (!(da >= 0.0))
-            start = std::max(start, da / (da - db));
-        else if (!(db >= 0.0))
-            end = std::min(end, da / (da - db));
+        const bool aInside = distance(plane, a) >= 0.0, bInside = distance(plane, b) >= 0.0;
+        if (!aInside && !bInside) return Line::Gone;
+        if (aInside && bInside) continue;
+        (aInside ? b : a) = meeting(plane, a, b);
+        if (aInside) left = Line::EndCut;
     }
-    if (!(start < end) && (start > 0.0 || end < 1.0)) return false;
-    const ClipVertex from = start > 0.0 ? between(a, b, start) : a;
-    if (end < 1.0) b = between(a, b, end);
-    a = from;
-    return a.clip.w > 0.0 && b.clip.w > 0.0;
+    return a.clip.w > 0.0 && b.clip.w > 0.0 ? left : Line::Gone;
 }
 
 void ClipVolume::clipPolygon(std::vector<ClipVertex>& polygon, std::vector<bool>& drawn) const {
@@ -100,14 +104,13 @@ void ClipVolume::clipPolygon(std::vector<ClipVertex>& polygon, std::vector<bool>
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const ClipVertex& a = polygon[i];
             const ClipVertex& b = polygon[(i + 1) % polygon.size()];
-            const double da = distance(plane, a), db = distance(plane, b);
-            const bool aInside = da >= 0.0, bInside = db >= 0.0;
+            const bool aInside = distance(plane, a) >= 0.0, bInside = distance(plane, b) >= 0.0;
             if (aInside) {
                 kept.push_back(a);
                 keptDrawn.push_back(drawn[i]);
             }
             if (aInside == bInside) continue;
-            kept.push_back(between(a, b, da / (da - db)));
+            kept.push_back(meeting(plane, a, b));
             keptDrawn.push_back(aInside ? plane >= kFrustumPlanes : bool(drawn[i]));
         }
         polygon.swap(kept);
@@ -118,27 +121,21 @@ void ClipVolume::clipPolygon(std::vector<ClipVertex>& polygon, std::vector<bool>
 }
 
 bool cutToWindow(WindowVertex& a, WindowVertex& b) {
-    double start = 0.0, end = 1.0;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double from = a.at[axis], run = b.at[axis] - from;
-        if (!std::isfinite(from) || !std::isfinite(run)) return false;
-        if (run == 0.0) {
-            if (from < kWindowMin || from > kWindowMax) return false;
-            continue;
-        }
-        double enter = (kWindowMin - from) / run, leave = (kWindowMax - from) / run;
-        if (enter > leave) std::swap(enter, leave);
-        start = std::max(start, enter);
-        end = std::min(end, leave);
+    for (const WindowVertex* vertex : {&a, &b})
+        if (!std::isfinite(vertex->at.x) || !std::isfinite(vertex->at.y)) return false;
+    for (int side = 0; side < 4; ++side) {
+        const int axis = side / 2;
+        const double limit = side % 2 == 0 ? kWindowMin : kWindowMax;
+        const auto isInside = [&](const WindowVertex& vertex) {
+            return side % 2 == 0 ? vertex.at[axis] >= limit : vertex.at[axis] <= limit;
+        };
+        const bool aInside = isInside(a), bInside = isInside(b);
+        if (!aInside && !bInside) return false;
+        if (aInside && bInside) continue;
+        WindowVertex cut = between(a, b, (limit - a.at[axis]) / (b.at[axis] - a.at[axis]));
+        cut.at[axis] = limit;
+        (aInside ? b : a) = cut;
     }
-    if (!(start <= end)) return false;
-    const WindowVertex first = start > 0.0 ? between(a, b, start) : a;
-    if (end < 1.0) b = between(a, b, end);
-    a = first;
-    // Rounding may leave a cut end beyond the limit by a little.
-    for (WindowVertex* vertex : {&a, &b})
-        for (int axis = 0; axis < 2; ++axis)
-            vertex->at[axis] = std::min(std::max(vertex->at[axis], kWindowMin), kWindowMax);
     return true;
 }
 

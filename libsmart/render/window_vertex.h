@@ -55,8 +55,8 @@ public:
     explicit ClipVolume(const FixedState* state);
 
     bool contains(const ClipVertex& vertex) const;
-    /// False: nothing is left.
-    bool clipLine(ClipVertex& a, ClipVertex& b) const;
+    enum class Line : uint8_t { Gone, Whole, EndCut }; ///< Whole: but for its start
+    Line clipLine(ClipVertex& a, ClipVertex& b) const;
     /// Clips by all but the volume's sides. drawn[i]: whether the edge that starts at vertex i is
     /// to be seen; edges that planes of the application's make are, those of the volume are not.
     void clipPolygon(std::vector<ClipVertex>& polygon, std::vector<bool>& drawn) const;
@@ -65,6 +65,7 @@ private:
     static constexpr int kFrustumPlanes = 6; ///< left, right, bottom, top, near, far
     static constexpr int kFirstDepthPlane = 4;
     double distance(int plane, const ClipVertex& vertex) const;
+    ClipVertex meeting(int plane, const ClipVertex& a, const ClipVertex& b) const;
 
     int planes_ = kFrustumPlanes;
     glm::dvec4 userPlanes_[kFixedClipPlanes];
