@@ -97,6 +97,33 @@ std::vector<std::byte> readBytes(const Picture& picture, const ReadArea& area) {
     return bytes;
 }
 
+void copyTexImage(const char* function, RTenum target, RTenum internalFormat, RTint x, RTint y,
+                  const TextureImageCall& call) noexcept {
+    recorded(function, [=](Context& c) {
+        c.recorder().requireOutsideObject();
+        checkTextureTarget(target, call.target);
+        if (internalFormat < 5) throwError(ErrorCode::InvalidEnum, "not an internal format");
+        checkTextureImage(call);
+        const std::vector<std::byte> bytes =
+            readBytes(c.frames().finishedPicture(false),
+                      {x, y, uint32_t(call.width), uint32_t(call.height)});
+        defineTextureImage(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
+    });
+}
+
+void copyTexSubImage(const char* function, RTenum target, RTint x, RTint y,
+                     const TexturePartCall& call) noexcept {
+    recorded(function, [=](Context& c) {
+        c.recorder().requireOutsideObject();
+        checkTextureTarget(target, call.target);
+        checkTexturePart(c, call);
+        const std::vector<std::byte> bytes =
+            readBytes(c.frames().finishedPicture(false),
+                      {x, y, uint32_t(call.width), uint32_t(call.height)});
+        replaceTexturePart(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
+    });
+}
+
 } // namespace
 
 RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei height, RTenum format,
@@ -114,34 +141,26 @@ RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei heig
     });
 }
 
+RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum target, RTint level, RTenum internalformat, RTint x,
+                                       RTint y, RTsizei width, RTint border) {
+    copyTexImage(__func__, target, internalformat, x, y,
+                 {level, RTint(internalformat), width, 1, border, TextureTarget::OneDimensional});
+}
 RTAPI void RTAPIENTRY rtCopyTexImage2D(RTenum target, RTint level, RTenum internalformat, RTint x,
                                        RTint y, RTsizei width, RTsizei height, RTint border) {
-    recorded(__func__, [=](Context& c) {
-        c.recorder().requireOutsideObject();
-        checkTextureTarget(target);
-        if (internalformat < 5) throwError(ErrorCode::InvalidEnum, "not an internal format");
-        const TextureImageCall call{level, RTint(internalformat), width, height, border};
-        checkTextureImage(call);
-        const Picture picture = c.frames().finishedPicture(false);
-        const std::vector<std::byte> bytes =
-            readBytes(picture, {x, y, uint32_t(width), uint32_t(height)});
-        defineTextureImage(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
-    });
+    copyTexImage(__func__, target, internalformat, x, y,
+                 {level, RTint(internalformat), width, height, border});
 }
 
+RTAPI void RTAPIENTRY rtCopyTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTint x,
+                                          RTint y, RTsizei width) {
+    copyTexSubImage(__func__, target, x, y,
+                    {level, xoffset, 0, width, 1, TextureTarget::OneDimensional});
+}
 RTAPI void RTAPIENTRY rtCopyTexSubImage2D(RTenum target, RTint level, RTint xoffset,
                                           RTint yoffset, RTint x, RTint y, RTsizei width,
                                           RTsizei height) {
-    recorded(__func__, [=](Context& c) {
-        c.recorder().requireOutsideObject();
-        checkTextureTarget(target);
-        const TexturePartCall call{level, xoffset, yoffset, width, height};
-        checkTexturePart(c, call);
-        const Picture picture = c.frames().finishedPicture(false);
-        const std::vector<std::byte> bytes =
-            readBytes(picture, {x, y, uint32_t(width), uint32_t(height)});
-        replaceTexturePart(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
-    });
+    copyTexSubImage(__func__, target, x, y, {level, xoffset, yoffset, width, height});
 }
 
 RTAPI void RTAPIENTRY rtCopyPixels(RTint x, RTint y, RTsizei width, RTsizei height, RTenum type) {

@@ -40,20 +40,8 @@ RTAPI void RTAPIENTRY rtIndexMask(RTuint) { refused("rtIndexMask"); }
 RTAPI void RTAPIENTRY rtAccum(RTenum, RTfloat) { refused("rtAccum"); }
 
 // Textures
-RTAPI void RTAPIENTRY rtTexImage1D(RTenum, RTint, RTint, RTsizei, RTint, RTenum, RTenum,
-    const void *) { refused("rtTexImage1D"); }
 RTAPI void RTAPIENTRY rtGetTexImage(RTenum, RTint, RTenum, RTenum,
     void *) { refused("rtGetTexImage"); }
-RTAPI void RTAPIENTRY rtPrioritizeTextures(RTsizei, const RTuint *,
-    const RTclampf *) { refused("rtPrioritizeTextures"); }
-RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei, const RTuint *,
-    RTboolean *) { refused("rtAreTexturesResident"); return RT_FALSE; }
-RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum, RTint, RTint, RTsizei, RTenum, RTenum,
-    const void *) { refused("rtTexSubImage1D"); }
-RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum, RTint, RTenum, RTint, RTint, RTsizei,
-    RTint) { refused("rtCopyTexImage1D"); }
-RTAPI void RTAPIENTRY rtCopyTexSubImage1D(RTenum, RTint, RTint, RTint, RTint,
-    RTsizei) { refused("rtCopyTexSubImage1D"); }
 RTAPI void RTAPIENTRY rtTexImage3D(RTenum, RTint, RTint, RTsizei, RTsizei, RTsizei, RTint, RTenum,
     RTenum, const void *) { refused("rtTexImage3D"); }
 RTAPI void RTAPIENTRY rtTexSubImage3D(RTenum, RTint, RTint, RTint, RTint, RTsizei, RTsizei, RTsizei,

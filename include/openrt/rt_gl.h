@@ -46,20 +46,8 @@ RTAPI void RTAPIENTRY rtIndexMask(RTuint mask);
 RTAPI void RTAPIENTRY rtAccum(RTenum op, RTfloat value);
 
 /* Textures */
-RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
-                                   RTint border, RTenum format, RTenum type, const void *pixels);
 RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, RTenum type,
                                     void *pixels);
-RTAPI void RTAPIENTRY rtPrioritizeTextures(RTsizei n, const RTuint *textures,
-                                           const RTclampf *priorities);
-RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei n, const RTuint *textures,
-                                                 RTboolean *residences);
-RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTsizei width,
-                                      RTenum format, RTenum type, const void *pixels);
-RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum target, RTint level, RTenum internalformat, RTint x,
-                                       RTint y, RTsizei width, RTint border);
-RTAPI void RTAPIENTRY rtCopyTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTint x,
-                                          RTint y, RTsizei width);
 RTAPI void RTAPIENTRY rtTexImage3D(RTenum target, RTint level, RTint internalformat, RTsizei width,
                                    RTsizei height, RTsizei depth, RTint border, RTenum format,
                                    RTenum type, const void *pixels);

@@ -68,12 +68,17 @@ RTAPI void RTAPIENTRY rtReadBuffer(RTenum mode);
 RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei height, RTenum format,
                                    RTenum type, void *pixels);
 
-/* As rtTexImage2D and rtTexSubImage2D, with the pixels of the picture so far: in 8 bits a channel,
+/* As rtTexImage and rtTexSubImage, with the pixels of the picture so far: in 8 bits a channel,
  * 0 outside of the frame buffer. Not in an object.
  * Errors:  those of rtTexImage2D, rtTexSubImage2D and rtReadPixels
+ *          RT_INVALID_ENUM  a number as internal format
  * Threads: the context's. Since: 0.2 */
+RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum target, RTint level, RTenum internalformat, RTint x,
+                                       RTint y, RTsizei width, RTint border);
 RTAPI void RTAPIENTRY rtCopyTexImage2D(RTenum target, RTint level, RTenum internalformat, RTint x,
                                        RTint y, RTsizei width, RTsizei height, RTint border);
+RTAPI void RTAPIENTRY rtCopyTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTint x,
+                                          RTint y, RTsizei width);
 RTAPI void RTAPIENTRY rtCopyTexSubImage2D(RTenum target, RTint level, RTint xoffset,
                                           RTint yoffset, RTint x, RTint y, RTsizei width,
                                           RTsizei height);

@@ -293,7 +293,9 @@ TEST(Layers, PolygonOffsetOfDecals) {
         EXPECT_EQ(picture.at(1, 1).g, 0.0f);
         // The slope is 1 along y, of 200 units of depth range.
         const double plain = depthOf(8.5 * 0.25 + 8.5), there = picture.depth[8 * 16 + 8];
-        if (green > 0) EXPECT_NEAR(there, plain + factor / 200.0 + units * 0x1p-24, 1e-7);
+        if (green > 0) {
+            EXPECT_NEAR(there, plain + factor / 200.0 + units * 0x1p-24, 1e-7);
+        }
         return green;
     };
     EXPECT_EQ(colorOf(-1.0f, 0.0f), 64);
@@ -429,8 +431,11 @@ public:
     void cover(const Tile& tile, std::vector<PixelFragment>& fragments) const override {
         for (uint32_t j = 0; j < tile.height; ++j)
             for (uint32_t i = 0; i < tile.width; ++i)
-                if (area_.contains(tile.x + i, tile.y + j))
-                    fragments.push_back({uint16_t(j * kTileSize + i), fragment_});
+                if (area_.contains(tile.x + i, tile.y + j)) {
+                    PixelFragment& pixel = fragments.emplace_back();
+                    pixel.entry = uint16_t(j * kTileSize + i);
+                    pixel.fragment = fragment_;
+                }
     }
 
 private:
