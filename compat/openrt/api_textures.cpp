@@ -64,6 +64,28 @@ RTint rounded(RTfloat param) {
     return std::fabs(param) < 0x1p30f ? RTint(std::floor(param + 0.5f)) : -1;
 }
 
+/// The application's memory is read when the call is made, also for display lists.
+void texImage(const char* function, RTenum target, const TextureImageCall& call, RTenum format,
+              RTenum type, const void* pixels) noexcept {
+    TextureImagePtr image;
+    bool made = false;
+    guarded(function, [&](Context& c) {
+        const PixelStore& store = c.recorder().pixelStore();
+        checkTextureTarget(target, call.target);
+        image = makeTextureImage(call, {pixels, pixelOrderOf(format), texelTypeOf(type)}, store);
+        made = true;
+    });
+    if (made) recorded(function, [=](Context& c) { setTextureImage(c, call, image); });
+}
+
+void texSubImage(const char* function, RTenum target, const TexturePartCall& call, RTenum format,
+                 RTenum type, const void* pixels) noexcept {
+    guarded(function, [&](Context& c) {
+        checkTextureTarget(target, call.target);
+        replaceTexturePart(c, call, {pixels, pixelOrderOf(format), texelTypeOf(type)});
+    });
+}
+
 } // namespace
 
 RTAPI void RTAPIENTRY rtGenTextures(RTsizei n, RTuint* textures) {
@@ -91,8 +113,7 @@ RTAPI void RTAPIENTRY rtDeleteTextures(RTsizei n, const RTuint* textures) {
 RTAPI void RTAPIENTRY rtBindTexture(RTenum target, RTuint texture) {
     recorded(__func__, [=](Context& c) {
         TextureStore& textures = c.recorder().textures();
-        checkTextureTarget(target);
-        textures.bind(texture);
+        textures.bind(texture, textureTargetOf(target));
     });
 }
 
@@ -105,20 +126,45 @@ RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture) {
 RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTsizei height, RTint border, RTenum format, RTenum type,
                                    const void* pixels) {
-    guarded(__func__, [&](Context& c) {
-        checkTextureTarget(target);
-        defineTextureImage(c, {level, internalFormat, width, height, border},
-                           {pixels, pixelOrderOf(format), texelTypeOf(type)});
-    });
+    texImage(__func__, target, {level, internalFormat, width, height, border}, format, type,
+             pixels);
+}
+RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
+                                   RTint border, RTenum format, RTenum type, const void* pixels) {
+    texImage(__func__, target,
+             {level, internalFormat, width, 1, border, TextureTarget::OneDimensional}, format,
+             type, pixels);
 }
 
 RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
                                       RTsizei width, RTsizei height, RTenum format, RTenum type,
                                       const void* pixels) {
+    texSubImage(__func__, target, {level, xoffset, yoffset, width, height}, format, type, pixels);
+}
+RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTsizei width,
+                                      RTenum format, RTenum type, const void* pixels) {
+    texSubImage(__func__, target, {level, xoffset, 0, width, 1, TextureTarget::OneDimensional},
+                format, type, pixels);
+}
+
+RTAPI void RTAPIENTRY rtPrioritizeTextures(RTsizei n, const RTuint* textures,
+                                           const RTclampf* priorities) {
     guarded(__func__, [&](Context& c) {
-        checkTextureTarget(target);
-        replaceTexturePart(c, {level, xoffset, yoffset, width, height},
-                           {pixels, pixelOrderOf(format), texelTypeOf(type)});
+        c.recorder().requireOutsidePrimitive();
+        requireNames(n, textures);
+        if (n > 0) requirePointer(priorities, "priorities");
+    });
+}
+RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei n, const RTuint* textures,
+                                                 RTboolean* residences) {
+    return guardedOr<RTboolean>(RT_FALSE, __func__, [&](Context& c) -> RTboolean {
+        const TextureStore& store = c.recorder().textures();
+        requireNames(n, textures);
+        if (n > 0) requirePointer(residences, "residences");
+        for (RTsizei i = 0; i < n; ++i)
+            if (!store.exists(textures[i]))
+                throwError(ErrorCode::InvalidValue, "no texture has this name");
+        return RT_TRUE;
     });
 }
 

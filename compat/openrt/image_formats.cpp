@@ -175,10 +175,10 @@ RTenum tokenOf(const MinificationFilter& filter) {
     return linear ? RT_LINEAR_MIPMAP_LINEAR : RT_NEAREST_MIPMAP_LINEAR;
 }
 
-void checkTextureTarget(RTenum target) {
+TextureTarget textureTargetOf(RTenum target) {
     switch (target) {
-    case RT_TEXTURE_2D: return;
-    case RT_TEXTURE_1D:
+    case RT_TEXTURE_1D: return TextureTarget::OneDimensional;
+    case RT_TEXTURE_2D: return TextureTarget::TwoDimensional;
     case RT_TEXTURE_3D:
     case RT_PROXY_TEXTURE_1D:
     case RT_PROXY_TEXTURE_2D:
@@ -193,6 +193,11 @@ void checkTextureTarget(RTenum target) {
     case RT_PROXY_TEXTURE_CUBE_MAP: notInRelease("this texture target");
     default: throwError(ErrorCode::InvalidEnum, "unknown texture target");
     }
+}
+
+void checkTextureTarget(RTenum target, TextureTarget wanted) {
+    if (textureTargetOf(target) != wanted)
+        throwError(ErrorCode::InvalidEnum, "a target of another number of dimensions");
 }
 
 } // namespace smart::compat

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "compat/openrt/guard.h"
 #include "compat/openrt/image_formats.h"
@@ -47,32 +48,36 @@ void checkTextureImage(const TextureImageCall& call) {
 void checkTexturePart(Context& context, const TexturePartCall& call) {
     checkLevel(call.level);
     checkSize(call.width, call.height);
-    const TextureLevelInfo info = context.recorder().textures().info(uint32_t(call.level));
+    const TextureLevelInfo info = context.recorder().textures().info(uint32_t(call.level), call.target);
     if (info.channels == 0) throwError(ErrorCode::InvalidOperation, "the level has no image");
     if (call.xoffset < 0 || call.yoffset < 0 || int64_t(call.xoffset) + call.width > info.width ||
         int64_t(call.yoffset) + call.height > info.height)
         throwError(ErrorCode::InvalidValue, "the part does not lie inside the image");
 }
 
-void defineTextureImage(Context& context, const TextureImageCall& call,
-                        const TexturePixels& pixels, const PixelStore* store) {
-    TextureStore& textures = context.recorder().textures();
+TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels,
+                                 const PixelStore& store) {
     checkTextureImage(call);
-    const auto level = uint32_t(call.level);
-    if (call.width == 0 || call.height == 0) {
-        textures.setImage(level, nullptr, call.internalFormat);
-        return;
-    }
+    if (call.width == 0 || call.height == 0) return nullptr;
     const InternalFormat internal = internalFormatOf(call.internalFormat);
     const ImageSource source{pixels.pixels, uint32_t(call.width), uint32_t(call.height),
                              pixels.order, pixels.type};
-    textures.setImage(level,
-                      std::make_shared<const TextureImage>(
-                          source.width, source.height, internal.channels, pixels.type,
-                          internal.srgb,
-                          unpackImage(source, store ? *store : context.recorder().pixelStore(),
-                                      internal.channels, internal.format)),
-                      call.internalFormat, internal.format);
+    return std::make_shared<const TextureImage>(
+        source.width, source.height, internal.channels, pixels.type, internal.srgb,
+        unpackImage(source, store, internal.channels, internal.format));
+}
+
+void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image) {
+    context.recorder().textures().setImage(uint32_t(call.level), std::move(image),
+                                           call.internalFormat,
+                                           internalFormatOf(call.internalFormat).format,
+                                           call.target);
+}
+
+void defineTextureImage(Context& context, const TextureImageCall& call,
+                        const TexturePixels& pixels, const PixelStore* store) {
+    const PixelStore& unpack = context.recorder().pixelStore();
+    setTextureImage(context, call, makeTextureImage(call, pixels, store ? *store : unpack));
 }
 
 void replaceTexturePart(Context& context, const TexturePartCall& call,
@@ -82,7 +87,7 @@ void replaceTexturePart(Context& context, const TexturePartCall& call,
     if (call.width == 0 || call.height == 0) return;
     requirePointer(pixels.pixels, "pixels");
     const auto level = uint32_t(call.level);
-    const TextureLevelInfo info = textures.info(level);
+    const TextureLevelInfo info = textures.info(level, call.target);
     const InternalFormat internal = internalFormatOf(info.internalFormat);
     const ImageSource source{pixels.pixels, uint32_t(call.width), uint32_t(call.height),
                              pixels.order, pixels.type};
@@ -91,9 +96,9 @@ void replaceTexturePart(Context& context, const TexturePartCall& call,
                             unpackImage(source, store ? *store : context.recorder().pixelStore(),
                                         info.channels, internal.format));
     textures.setImage(level,
-                      std::make_shared<const TextureImage>(textures.image(level)->withPart(
+                      std::make_shared<const TextureImage>(textures.image(level, call.target)->withPart(
                           uint32_t(call.xoffset), uint32_t(call.yoffset), part)),
-                      info.internalFormat, internal.format);
+                      info.internalFormat, internal.format, call.target);
 }
 
 } // namespace smart::compat

@@ -19,21 +19,28 @@ struct TextureImageCall {
     RTint level, internalFormat;
     RTsizei width, height;
     RTint border;
+    TextureTarget target = TextureTarget::TwoDimensional;
 };
 struct TexturePartCall {
     RTint level, xoffset, yoffset;
     RTsizei width, height;
+    TextureTarget target = TextureTarget::TwoDimensional;
 };
 
 /// What is asked for, as OpenGL checks it: throws Error where it can not be.
 void checkTextureImage(const TextureImageCall& call);
 void checkTexturePart(Context& context, const TexturePartCall& call);
 
-/// A level of the bound two-dimensional texture anew, after the check. `store`: how the pixels lie;
-/// nullptr: as the unpack state says.
+/// The image that the call defines, after the check; nullptr: none, as a side is 0. `store`: how
+/// the pixels lie.
+TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels,
+                                 const PixelStore& store);
+/// A level of the bound texture anew.
+void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image);
+/// Both. `store` nullptr: as the unpack state says.
 void defineTextureImage(Context& context, const TextureImageCall& call,
                         const TexturePixels& pixels, const PixelStore* store = nullptr);
-/// The same for a part of a level.
+/// A part of a level anew, after the check.
 void replaceTexturePart(Context& context, const TexturePartCall& call,
                         const TexturePixels& pixels, const PixelStore* store = nullptr);
 

@@ -9,6 +9,9 @@ namespace smart::compat {
 
 namespace {
 
+constexpr TextureTarget kTargets[] = {TextureTarget::OneDimensional,
+                                      TextureTarget::TwoDimensional};
+
 SavedState saved(Context& context, uint32_t groups) {
     Recorder& recorder = context.recorder();
     SavedState state;
@@ -21,8 +24,10 @@ SavedState saved(Context& context, uint32_t groups) {
     state.frame = recorder.frameSettings();
     state.pixels = recorder.pixelDrawingNow();
     state.matrixMode = recorder.matrices().mode();
-    state.texture2D = recorder.textures().bound();
-    state.texture2DParameters = recorder.textures().parameters();
+    for (const TextureTarget target : kTargets) {
+        state.textures[int(target)] = recorder.textures().bound(target);
+        state.textureParameters[int(target)] = recorder.textures().parameters(target);
+    }
     state.listBase = context.lists().base();
     return state;
 }
@@ -176,14 +181,15 @@ void restoreFrame(FrameSettings& frame, const SavedState& saved) {
 }
 
 /// A texture that was deleted since is not made again.
-void restoreTexture(TextureStore& textures, const SavedState& saved) {
-    if (saved.texture2D != 0 && !textures.exists(saved.texture2D)) {
-        textures.bind(0);
+void restoreTexture(TextureStore& textures, TextureTarget target, const SavedState& saved) {
+    const uint32_t id = saved.textures[int(target)];
+    if (id != 0 && !textures.exists(id, target)) {
+        textures.bind(0, target);
         return;
     }
-    textures.bind(saved.texture2D);
-    if (textures.parameters() != saved.texture2DParameters)
-        textures.setParameters(saved.texture2DParameters);
+    textures.bind(id, target);
+    const TextureParameters& parameters = saved.textureParameters[int(target)];
+    if (textures.parameters(target) != parameters) textures.setParameters(parameters, target);
 }
 
 } // namespace
@@ -212,7 +218,9 @@ void popAttributes(Context& context) {
     restoreIdle(recorder.idleState(), saved);
     restoreFrame(recorder.frameSettings(), saved);
     restorePixels(recorder.pixelDrawing(), saved);
-    if (has(kTextureGroup)) restoreTexture(recorder.textures(), saved);
+    if (has(kTextureGroup))
+        for (const TextureTarget target : kTargets)
+            restoreTexture(recorder.textures(), target, saved);
     if (has(kTransformGroup)) recorder.matrices().setMode(saved.matrixMode);
     if (has(kListGroup)) context.lists().setBase(saved.listBase);
 }

@@ -55,8 +55,8 @@ struct SavedState {
     FrameSettings frame;
     PixelDrawing pixels;
     MatrixMode matrixMode = MatrixMode::ModelView;
-    uint32_t texture2D = 0; ///< bound, and its parameters
-    TextureParameters texture2DParameters;
+    uint32_t textures[2] = {}; ///< bound, by target, and their parameters
+    TextureParameters textureParameters[2];
     uint32_t listBase = 0;
 };
 

@@ -79,8 +79,13 @@ FixedStatePtr Recorder::instanceState(const Matrices& matrices) {
 
 FixedStateSources Recorder::stateSources(const Matrices& matrices, const glm::dmat4& objectToEye) {
     FixedStateSources sources;
-    sources.texture2D = textures_.bound();
-    if (fixedState_.state().texture.enabled2D) sources.image = textures_.complete(sources.texture2D);
+    sources.texture1D = textures_.bound(TextureTarget::OneDimensional);
+    sources.texture2D = textures_.bound(TextureTarget::TwoDimensional);
+    // Two dimensions go before one; an incomplete texture counts as switched off.
+    const FixedTexture& texture = fixedState_.state().texture;
+    if (texture.enabled2D) sources.image = textures_.completeBound(TextureTarget::TwoDimensional);
+    if (texture.enabled1D && !sources.image)
+        sources.image = textures_.completeBound(TextureTarget::OneDimensional);
     sources.textureMatrix = matrices.stack(MatrixMode::Texture).top();
     sources.objectToEye = objectToEye;
     return sources;

@@ -8,6 +8,7 @@
 #include "compat/recorder/recorder.h"
 #include "compat/recorder/transforms.h"
 #include "libsmart/base/error.h"
+#include "libsmart/shading/fixed_frame_light.h"
 #include "libsmart/render/pixel_primitives.h"
 
 namespace smart::compat {
@@ -153,6 +154,8 @@ void Recorder::freezeShaders(Frame& frame) {
         return object;
     };
     for (const auto& light : scene().lights) frame.lights.push_back(frozen(light));
+    for (const FixedLight& light : fixedState_.state().lighting.lights)
+        if (light.enabled) frame.lights.push_back(makeFrameLight(light));
     frame.environment = frozen(scene().environment);
     frame.camera = frozen(scene().camera);
     frame.renderingObject = frozen(scene().renderingObject);
