@@ -145,7 +145,7 @@ RTAPI const RTubyte* RTAPIENTRY rtGetString(RTenum name) {
         c.recorder().requireOutsidePrimitive();
         const char* text = nullptr;
         switch (name) {
-        case RT_VERSION: text = OPENRT_VERSION_STRING; break;
+        case RT_VERSION: text = "1.5 OpenRT " OPENRT_VERSION_STRING; break;
         case RT_VENDOR: text = "OpenRT project"; break;
         case RT_RENDERER: text = "OpenRT on libsmart"; break;
         case RT_EXTENSIONS: text = ""; break;

@@ -15,22 +15,42 @@ namespace {
 
 using StippleRows = std::array<uint32_t, 32>;
 
+/// Of a bitmap 32 bits wide.
+std::size_t bytesOfRow(const PixelStore& store) {
+    const std::size_t alignment = store.alignment;
+    const std::size_t pixels = store.rowLength > 0 ? store.rowLength : 32;
+    return (pixels + 8 * alignment - 1) / (8 * alignment) * alignment;
+}
+
 /// A bitmap of 32 x 32 in the application's memory, as its pixel storage has it: bytes of which
 /// the most significant bit is leftmost, unless they are the other way round.
 StippleRows stippleFrom(const RTubyte* mask, const PixelStore& store) {
-    const std::size_t alignment = store.alignment;
-    const std::size_t pixels = store.rowLength > 0 ? store.rowLength : 32;
-    const std::size_t stride = (pixels + 8 * alignment - 1) / (8 * alignment) * alignment;
+    const std::size_t stride = bytesOfRow(store);
     StippleRows rows;
     for (std::size_t y = 0; y < 32; ++y) {
         const RTubyte* const row = mask + (store.skipRows + y) * stride;
         rows[y] = 0;
         for (std::size_t x = 0; x < 32; ++x) {
             const std::size_t bit = store.skipPixels + x;
-            rows[y] = rows[y] << 1 | (row[bit / 8] >> (7 - bit % 8) & 1u);
+            const std::size_t shift = store.lsbFirst ? bit % 8 : 7 - bit % 8;
+            rows[y] = rows[y] << 1 | (row[bit / 8] >> shift & 1u);
         }
     }
     return rows;
+}
+
+/// The reverse; bits beside the bitmap stay as they are.
+void stippleTo(RTubyte* mask, const PixelStore& store, const uint32_t (&rows)[32]) {
+    const std::size_t stride = bytesOfRow(store);
+    for (std::size_t y = 0; y < 32; ++y) {
+        RTubyte* const row = mask + (store.skipRows + y) * stride;
+        for (std::size_t x = 0; x < 32; ++x) {
+            const std::size_t bit = store.skipPixels + x;
+            const auto one = RTubyte(1u << (store.lsbFirst ? bit % 8 : 7 - bit % 8));
+            const bool set = (rows[y] >> (31 - x) & 1u) != 0;
+            row[bit / 8] = RTubyte(set ? row[bit / 8] | one : row[bit / 8] & ~one);
+        }
+    }
 }
 
 int clipPlaneNumber(RTenum plane) {
@@ -103,8 +123,8 @@ RTAPI void RTAPIENTRY rtGetPolygonStipple(RTubyte* mask) {
     guarded(__func__, [&](Context& c) {
         c.recorder().requireOutsidePrimitive();
         requirePointer(mask, "mask");
-        for (const uint32_t row : c.recorder().fixedStateNow().raster.polygonStipple)
-            for (int shift = 24; shift >= 0; shift -= 8) *mask++ = RTubyte(row >> shift);
+        stippleTo(mask, c.recorder().packStore(),
+                  c.recorder().fixedStateNow().raster.polygonStipple);
     });
 }
 

@@ -228,13 +228,17 @@ void popAttributes(Context& context) {
 void pushClientAttributes(Context& context, bool pixelStore, bool vertexArrays) {
     context.recorder().requireOutsidePrimitive();
     context.clientAttribStack().push(
-        {pixelStore, vertexArrays, context.recorder().pixelStore(), context.arrays()});
+        {pixelStore, vertexArrays, context.recorder().pixelStore(),
+         context.recorder().packStore(), context.arrays()});
 }
 
 void popClientAttributes(Context& context) {
     context.recorder().requireOutsidePrimitive();
     SavedClientState saved = context.clientAttribStack().pop();
-    if (saved.pixelStore) context.recorder().pixelStore() = saved.store;
+    if (saved.pixelStore) {
+        context.recorder().pixelStore() = saved.unpack;
+        context.recorder().packStore() = saved.pack;
+    }
     if (saved.vertexArrays) context.arrays() = std::move(saved.arrays);
 }
 

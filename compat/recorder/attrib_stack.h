@@ -62,7 +62,7 @@ struct SavedState {
 
 struct SavedClientState {
     bool pixelStore = false, vertexArrays = false; ///< which of them to restore
-    PixelStore store;
+    PixelStore unpack, pack;
     VertexArrays arrays;
 };
 
