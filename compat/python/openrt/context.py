@@ -25,7 +25,7 @@ def exit():
 
 
 def version():
-    return _text(raw.RT_VERSION)
+    return _text(raw.RT_VERSION).split()[-1]
 
 
 def instruction_set():
