@@ -175,6 +175,7 @@ static void setTexture(unsigned features) {
         glTranslatef(number(0, 1), number(0, 1), 0);
         glRotatef(number(0, 360), 0, 0, 1);
         glScalef(number(0.5f, 2), number(0.5f, 2), 1);
+        if (mipmaps) glScalef(10, 10, 1);
         glMatrixMode(GL_MODELVIEW);
     }
     if (features & SCENE_TEXGEN) {
@@ -231,6 +232,8 @@ static void drawSheet(unsigned features, float height) {
 void DRAW_SCENE(unsigned features, unsigned seed) {
     float height;
     state = seed * 7919ull + 17;
+    /* Along which diagonal a quad is split is left open: it must not matter. */
+    if (features & SCENE_QUADS) features = (features | SCENE_FLAT) & ~(unsigned)SCENE_TEXGEN;
     glViewport(0, 0, SCENE_SIDE, SCENE_SIDE);
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -254,7 +257,7 @@ void DRAW_SCENE(unsigned features, unsigned seed) {
     glTranslatef(number(-0.1f, 0.1f), number(-0.1f, 0.1f), -3.5f);
     glRotatef(number(-40, 40) + (features & SCENE_TURNED ? 180.0f : 0.0f), 0.3f, 1, 0.1f);
     glScalef(1.2f, 1.2f, 1.2f);
-    height = number(0.1f, 0.4f);
+    height = features & SCENE_QUADS ? 0.0f : number(0.1f, 0.4f);
     if (features & SCENE_LIST) {
         glNewList(1, GL_COMPILE);
         drawSheet(features, height);
