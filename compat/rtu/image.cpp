@@ -61,8 +61,9 @@ Image halved(const Image& image, int across, int down) {
 using Span = std::vector<std::pair<int, double>>;
 
 /// Beyond the edges the image goes on from the other side.
-std::vector<Span> spansOf(int in, int out) {
-    const double step = double(in) / out, half = in > out ? step / 2 : 0.5;
+std::vector<Span> spansOf(int in, int out, Enlarging enlarging) {
+    const double step = double(in) / out;
+    const double half = in > out || enlarging == Enlarging::Exact ? step / 2 : 0.5;
     std::vector<Span> spans;
     spans.reserve(std::size_t(out));
     for (int i = 0; i < out; ++i) {
@@ -196,7 +197,7 @@ Image fromShorts(const Image& shorts, RTenum type, bool scaled) {
     return image;
 }
 
-Image scaleImage(const Image& image, int width, int height, int depth) {
+Image scaleImage(const Image& image, int width, int height, int depth, Enlarging enlarging) {
     const bool flat = image.depth == 1 && depth == 1;
     if (flat && width == image.width && height == image.height) return image;
     const bool halfWide = image.width == 2 * width, halfHigh = image.height == 2 * height;
@@ -205,9 +206,9 @@ Image scaleImage(const Image& image, int width, int height, int depth) {
     if (flat && halfHigh && image.width == 1 && width == 1) return halved(image, 1, 2);
 
     Image result(image.type, image.components, width, height, depth);
-    const std::vector<Span> columns = spansOf(image.width, width);
-    const std::vector<Span> rows = spansOf(image.height, height);
-    const std::vector<Span> layers = spansOf(image.depth, depth);
+    const std::vector<Span> columns = spansOf(image.width, width, enlarging);
+    const std::vector<Span> rows = spansOf(image.height, height, enlarging);
+    const std::vector<Span> layers = spansOf(image.depth, depth, enlarging);
     for (int z = 0; z < depth; ++z)
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {

@@ -50,7 +50,11 @@ std::size_t writtenBytes(const Image& image, unsigned alignment);
 Image toShorts(const Image& image, bool scaled);
 Image fromShorts(const Image& shorts, RTenum type, bool scaled);
 
+/// What an enlarged pixel is the mean of: the part of the image that it covers, or as much as a
+/// pixel of the image about its middle.
+enum class Enlarging { Exact, WholePixels };
+
 /// GLU's box filter; an image with half the width and height takes the means of four.
-Image scaleImage(const Image& image, int width, int height, int depth);
+Image scaleImage(const Image& image, int width, int height, int depth, Enlarging enlarging);
 
 } // namespace smart::compat

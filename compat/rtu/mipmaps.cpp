@@ -124,15 +124,18 @@ struct Mipmaps {
         if (max < 0) max = last;
         check(level >= 0 && base >= level && max >= base && max <= last, RTU_INVALID_VALUE,
               "not a range of levels");
+        const Enlarging enlarging =
+            dimensions == 2 ? Enlarging::Exact : Enlarging::WholePixels;
         Image image = scaleImage(
             readImage(data, type, componentsOf(format), width, height, depth, unpackState()), w, h,
-            d);
+            d, enlarging);
         const PackedRows packed;
         std::vector<std::byte> bytes;
         for (RTint current = level; current <= max; ++current) {
             if (current > level)
                 image = scaleImage(image, std::max(image.width / 2, 1),
-                                   std::max(image.height / 2, 1), std::max(image.depth / 2, 1));
+                                   std::max(image.height / 2, 1), std::max(image.depth / 2, 1),
+                                   enlarging);
             if (current < base) continue;
             bytes.resize(writtenBytes(image, 1));
             writeImage(image, 1, bytes.data());
@@ -168,8 +171,8 @@ RTAPI RTint RTAPIENTRY rtuScaleImage(RTenum format, RTsizei wIn, RTsizei hIn, RT
         const Image in = toShorts(
             readImage(dataIn, typeIn, componentsOf(format), wIn, hIn, 1, unpackState()), scaled);
         constexpr unsigned kPackAlignment = 4;
-        writeImage(fromShorts(scaleImage(in, wOut, hOut, 1), typeOut, scaled), kPackAlignment,
-                   dataOut);
+        const Image out = scaleImage(in, wOut, hOut, 1, Enlarging::WholePixels);
+        writeImage(fromShorts(out, typeOut, scaled), kPackAlignment, dataOut);
     });
 }
 

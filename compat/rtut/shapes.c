@@ -40,28 +40,40 @@ RTAPI void RTAPIENTRY rtutSolidCone(RTdouble base, RTdouble height, RTint slices
 
 enum { kMaxTorusSteps = 4096 };
 
-/* Sine of a part of a turn, the same on every machine: Taylor's series within an eighth. */
+/* Taylor's series in x * x. */
+static double series(double square, const double *coefficients, int count) {
+    double sum = 0;
+    while (count > 0) sum = sum * square + coefficients[--count];
+    return sum;
+}
+
+/* Sine of a part of a turn, the same on every machine. */
 static double sineOfTurn(double turn) {
+    static const double sine[] = {1,
+                                  -1.0 / 6,
+                                  1.0 / 120,
+                                  -1.0 / 5040,
+                                  1.0 / 362880,
+                                  -1.0 / 39916800,
+                                  1.0 / 6227020800.0,
+                                  -1.0 / 1307674368000.0};
+    static const double cosine[] = {1,
+                                    -1.0 / 2,
+                                    1.0 / 24,
+                                    -1.0 / 720,
+                                    1.0 / 40320,
+                                    -1.0 / 3628800,
+                                    1.0 / 479001600,
+                                    -1.0 / 87178291200.0};
     const double kTurn = 6.283185307179586477;
-    double t = turn - floor(turn), sign = 1;
-    double x, square, sum;
+    double t = turn - floor(turn), sign = 1, x;
     if (t >= 0.5) {
         t -= 0.5;
         sign = -1;
     }
     if (t > 0.25) t = 0.5 - t;
-    x = t * kTurn;
-    if (t > 0.125) {
-        x = (0.25 - t) * kTurn;
-        square = x * x;
-        sum = 1 + square * (-1.0 / 2 + square * (1.0 / 24 + square * (-1.0 / 720 + square *
-              (1.0 / 40320 + square * (-1.0 / 3628800 + square / 479001600)))));
-        return sign * sum;
-    }
-    square = x * x;
-    sum = 1 + square * (-1.0 / 6 + square * (1.0 / 120 + square * (-1.0 / 5040 + square *
-          (1.0 / 362880 + square * (-1.0 / 39916800)))));
-    return sign * x * sum;
+    x = (t > 0.125 ? 0.25 - t : t) * kTurn;
+    return sign * (t > 0.125 ? series(x * x, cosine, 8) : x * series(x * x, sine, 8));
 }
 static double cosineOfTurn(double turn) { return sineOfTurn(turn + 0.25); }
 

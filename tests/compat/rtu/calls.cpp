@@ -70,8 +70,16 @@ const GLubyte* GLAPIENTRY glGetString(GLenum) {
 }
 void GLAPIENTRY glGetTexLevelParameteriv(GLenum, GLint, GLenum, GLint* value) { *value = 1; }
 void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint, GLsizei width, GLint, GLenum,
-                             GLenum, const void* pixels) {
-    if (target == GL_TEXTURE_1D && pixels) glLevels.push_back(levelOf(level, width, 1, pixels));
+                             GLenum type, const void* pixels) {
+    if (target != GL_TEXTURE_1D || !pixels) return;
+    if (type == GL_UNSIGNED_BYTE)
+        return glLevels.push_back(levelOf(level, width, 1, pixels));
+    // GLU gives 16 bits whatever it got.
+    const auto* shorts = static_cast<const GLushort*>(pixels);
+    Level converted{level, width, 1, {}};
+    for (int i = 0; i < width * bytesPerPixel; ++i)
+        converted.bytes.push_back(static_cast<unsigned char>(shorts[i] / 257));
+    glLevels.push_back(converted);
 }
 void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint, GLsizei width, GLsizei height,
                              GLint, GLenum, GLenum, const void* pixels) {

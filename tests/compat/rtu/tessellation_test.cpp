@@ -251,9 +251,11 @@ TEST_F(Tessellation, randomPolygonsAreCoveredByTheirWindingNumber) {
 }
 
 // Vertices on a coarse lattice: coincident vertices, edges through vertices, overlapping edges.
+// GLU itself errs on some of these; where it does not, the areas agree.
 TEST_F(Tessellation, degeneratePolygonsToo) {
     std::mt19937 random(4);
     std::uniform_int_distribution<int> place(-4, 4);
+    int comparable = 0;
     for (unsigned round = 0; round < 150; ++round) {
         Polygon polygon(1 + round % 3);
         for (Contour& contour : polygon)
@@ -265,8 +267,12 @@ TEST_F(Tessellation, degeneratePolygonsToo) {
         const Result result = tessellate(polygon, wanted);
         ASSERT_TRUE(result.errors.empty());
         ASSERT_EQ(wrongPoints(polygon, result, wanted.rule, round), 0) << "round " << round;
-        EXPECT_NEAR(areaOf(result), areaOf(tessellateWithGlu(polygon, wanted)), 1e-6);
+        const Result glu = tessellateWithGlu(polygon, wanted);
+        if (wrongPoints(polygon, glu, wanted.rule, round) != 0) continue;
+        ++comparable;
+        EXPECT_NEAR(areaOf(result), areaOf(glu), 1e-6) << "round " << round;
     }
+    EXPECT_GT(comparable, 120);
 }
 
 TEST_F(Tessellation, theCheckOfCoverageSeesAMissingTriangle) {
@@ -326,7 +332,8 @@ TEST_F(Tessellation, callsLeftOutAreToldAndMadeUpFor) {
     EXPECT_EQ(result.errors, (std::vector<RTenum>{RTU_TESS_MISSING_BEGIN_CONTOUR,
                                                   RTU_TESS_MISSING_END_CONTOUR}));
     EXPECT_EQ(result.run.size(), 3u);
-    rtuTessVertex(tess, points[0].data(), nullptr); // no polygon
+    rtuTessCallback(tess, RTU_TESS_ERROR_DATA, nullptr); // there is no polygon whose data it had
+    rtuTessVertex(tess, points[0].data(), nullptr);
     rtuTessBeginPolygon(tess, &result);
     rtuDeleteTess(tess);
     EXPECT_NE(rtGetError(), RTenum(RT_NO_ERROR));
@@ -396,7 +403,7 @@ TEST_F(Tessellation, thousandsOfVertices) {
     comb[0].push_back({-1, -2, 0});
     Result result = tessellate(comb, {});
     EXPECT_TRUE(result.errors.empty());
-    EXPECT_NEAR(areaOf(result), std::fabs(areaOf(tessellateWithGlu(comb, {}))), 1e-6);
+    EXPECT_NEAR(areaOf(result), areaOf(tessellateWithGlu(comb, {})), 1e-6);
     for (int i = 0; i < 301; ++i) {
         const double angle = 2 * 3.14159265358979 * ((i * 20) % 301) / 301;
         star[0].push_back({std::cos(angle), std::sin(angle), 0});
