@@ -43,14 +43,14 @@ def test_colours_are_interpolated():
 def test_shader_parameters_by_name():
     frame = openrt.FrameBuffer(8, 8, "rgb32f")
     look()
-    green = openrt.Shader("ConstantShader", color=(0.0, 0.5, 0.25))
+    green = openrt.Shader("ConstantShader", value=(0.0, 0.5, 0.25))
     big = openrt.mesh(numpy.array(TRIANGLE) * 50, shader=green)
     openrt.instance(big)
     assert numpy.allclose(openrt.render(frame).color, [0, 0.5, 0.25])
-    green.set(color=(1.0, 0.0, 0.0))
+    green.set(value=(1.0, 0.0, 0.0))
     openrt.instance(big)
     assert numpy.allclose(openrt.render(frame).color, [1, 0, 0])
-    blue = openrt.Shader("ConstantShader", color=(0.0, 0.0, 1.0))
+    blue = openrt.Shader("ConstantShader", value=(0.0, 0.0, 1.0))
     openrt.instance(big, shader=blue)
     assert numpy.allclose(openrt.render(frame).color, [0, 0, 1])
     with pytest.raises(openrt.Error) as info:

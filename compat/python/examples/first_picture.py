@@ -10,15 +10,17 @@ import openrt
 openrt.init()
 rings, sectors = 48, 96
 latitude = numpy.linspace(-numpy.pi / 2, numpy.pi / 2, rings + 1)[:, None]
-longitude = numpy.linspace(0, 2 * numpy.pi, sectors + 1)[None, :]
-x, y, z = numpy.broadcast_arrays(numpy.cos(latitude) * numpy.cos(longitude),
-                                 numpy.sin(latitude),
-                                 numpy.cos(latitude) * numpy.sin(longitude))
+longitude = numpy.arange(sectors)[None, :] * (2 * numpy.pi / sectors)
+radius = numpy.cos(latitude)
+radius[[0, -1]] = 0  # at the poles all vertices of a ring are one, or there would be a hole
+x, y, z = numpy.broadcast_arrays(radius * numpy.cos(longitude), numpy.sin(latitude),
+                                 radius * numpy.sin(longitude))
 points = numpy.stack([x, y, z], axis=-1).reshape(-1, 3)
-corner = (numpy.arange(rings)[:, None] * (sectors + 1) + numpy.arange(sectors)).ravel()
-above = corner + sectors + 1
-triangles = numpy.concatenate([numpy.stack([corner, above, corner + 1], axis=1),
-                               numpy.stack([corner + 1, above, above + 1], axis=1)])
+ring = numpy.arange(rings)[:, None] * sectors
+corner = (ring + numpy.arange(sectors)).ravel()
+beside = (ring + (numpy.arange(sectors) + 1) % sectors).ravel()
+triangles = numpy.concatenate([numpy.stack([corner, corner + sectors, beside], axis=1),
+                               numpy.stack([beside, corner + sectors, beside + sectors], axis=1)])
 
 # %% Shaders by name, parameters as keywords.
 red = openrt.Shader("Phong", diffuse=(0.8, 0.2, 0.15), specular=(0.4, 0.4, 0.4), shininess=50)
