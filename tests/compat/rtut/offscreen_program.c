@@ -33,6 +33,7 @@ static void onDisplay(void) {
     rtVertex2f((float)(frame % 4), 1.0f);
     rtEnd();
     ++frame;
+    if (is("leave")) rtutPostRedisplay();
     if (is("leave") && frame == 2) rtutLeaveMainLoop();
     if (!is("silent")) rtutSwapBuffers();
 }
