@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Elements of vertex arrays as vertices and primitives, and rectangles.
 #include <algorithm>
+#include <cstring>
 
 #include "compat/openrt/array_elements.h"
 #include "compat/openrt/guard.h"
@@ -25,14 +26,12 @@ void checkDrawing(Context& c, RTenum mode, RTsizei count) {
     if (count < 0) throwError(ErrorCode::InvalidValue, "the number of elements is negative");
 }
 
-/// index(i): the number of the i-th element to draw.
-template <class Index>
-void draw(Context& c, RTenum mode, RTsizei count, const Index& index) {
+/// index(i): the number of the i-th element to draw; largest(): the largest of them.
+template <class Index, class Largest>
+void draw(Context& c, RTenum mode, RTsizei count, const Index& index, const Largest& largest) {
     const ArrayElements elements(c);
     if (count == 0 || !elements.hasVertices()) return;
-    uint64_t largest = 0;
-    for (RTsizei i = 0; i < count; ++i) largest = std::max<uint64_t>(largest, index(i));
-    elements.requireElement(largest);
+    elements.requireElement(largest());
     rtBegin(mode);
     if (makesCalls(c) && !c.recorder().insidePrimitive()) return; // it was refused
     try {
@@ -48,18 +47,23 @@ void draw(Context& c, RTenum mode, RTsizei count, const Index& index) {
 void drawRange(Context& c, RTenum mode, RTint first, RTsizei count) {
     checkDrawing(c, mode, count);
     if (first < 0) throwError(ErrorCode::InvalidValue, "the first element is negative");
-    draw(c, mode, count, [first](RTsizei i) { return uint64_t(first) + uint64_t(i); });
+    const auto index = [first](RTsizei i) { return uint64_t(first) + uint64_t(i); };
+    draw(c, mode, count, index, [&] { return index(count - 1); });
 }
 
 template <class T>
 void drawIndexed(Context& c, RTenum mode, RTsizei count, const ReadableMemory& indices) {
     if (indices.bytes / sizeof(T) < uint64_t(count))
         throwError(ErrorCode::InvalidOperation, "the buffer ends before the indices do");
-    draw(c, mode, count, [&](RTsizei i) -> uint64_t {
-        T index;
-        std::copy_n(indices.data + std::size_t(i) * sizeof index, sizeof index,
-                    reinterpret_cast<std::byte*>(&index));
-        return index;
+    const auto index = [&](RTsizei i) -> uint64_t {
+        T value;
+        std::memcpy(&value, indices.data + std::size_t(i) * sizeof value, sizeof value);
+        return value;
+    };
+    draw(c, mode, count, index, [&] {
+        uint64_t largest = 0;
+        for (RTsizei i = 0; i < count; ++i) largest = std::max(largest, index(i));
+        return largest;
     });
 }
 
