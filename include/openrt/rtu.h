@@ -125,9 +125,13 @@ RTAPI void RTAPIENTRY rtuQuadricCallback(RTUquadric *quad, RTenum which, RTUfunc
 /* Draw with rtBegin and rtEnd: a sphere about the origin, poles on the z axis; the side of a
  * cylinder or cone from z = 0 to height; a disk in z = 0; the part of a disk from angle `start`
  * (degrees, from +y, clockwise) over `sweep`.
- * Errors:  RT_INVALID_VALUE (RTU_ERROR: RTU_INVALID_VALUE), nothing is drawn: slices below 2 (of a
- *          sphere: GLU draws nothing sensible below 2 either), stacks or loops below 1, slices or
- *          stacks above 65,536, a negative radius, height or outer; inner > outer; not finite
+ * As in GLU, more than 239 slices, or stacks of a sphere, are drawn as 239; flat normals of points
+ * and of the lines along a cylinder are the smooth ones; RTU_INSIDE turns the normals of a cone in
+ * x and y only.
+ * Errors:  RT_INVALID_VALUE  (RTU_ERROR: RTU_INVALID_VALUE) nothing is drawn: slices below 2;
+ *                            stacks or loops below 1 or above 65,536; a measure negative or not
+ *                            finite; outer 0, inner > outer; a cylinder without height whose
+ *                            radii are equal
  * Since: 0.1 */
 RTAPI void RTAPIENTRY rtuSphere(RTUquadric *quad, RTdouble radius, RTint slices, RTint stacks);
 RTAPI void RTAPIENTRY rtuCylinder(RTUquadric *quad, RTdouble base, RTdouble top, RTdouble height,

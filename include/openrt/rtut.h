@@ -11,13 +11,13 @@
  *   frame is shown as a texture on one rectangle by OpenGL, GLFW opens the window; both are loaded
  *   when the first window is opened, not before.
  * Off-screen. With --rt-offscreen N on its command line any program renders N frames, writes each,
- *   and ends with exit status 0; GLFW and OpenGL are not touched. There is a fixed clock:
- *   rtutGet(RTUT_ELAPSED_TIME) of frame n (from 0) is 40 n milliseconds. At first the reshape and
- *   visibility callbacks are called; for each frame the timers due until then, in order of time,
- *   each at its time; the idle callback once; the display callback, whether a redisplay was
- *   posted or not. A frame is delivered by each rtutSwapBuffers, or by the end of the display
- *   callback of a single-buffered window. After 1000 display callbacks without a frame the
- *   program ends with a message and exit status 1. All windows count, in order; no event comes.
+ *   and ends with exit status 0; GLFW and OpenGL are not touched. The clock is fixed: when the
+ *   display callback is called for the n-th time (from 0) it is 40 n milliseconds. At first the
+ *   reshape and visibility callbacks are called; for each frame the timers due until then, in
+ *   order of time, each at its time; the idle callback once; the display callback, whether a
+ *   redisplay was posted or not. A frame is delivered by each rtutSwapBuffers, or by the end of
+ *   the display callback of a single-buffered window. After 1000 display callbacks without a frame
+ *   the program ends with a message and exit status 1. All windows count, in order; no event comes.
  *     --rt-offscreen N       frames to render, 1 to 1,000,000
  *     --rt-output PATTERN    a PNG file for each frame, rows from the top, 8-bit RGB; one %d, as
  *                            in frame%03d.png, stands for its number from 0. Without: no files

@@ -81,7 +81,9 @@ TEST_F(Cameras, aWallIsSeenAsItsPicture) {
 
 TEST_F(Cameras, aPointBehindTheWallIsSeenAlongItsRay) {
     // At twice the distance a window in the wall is twice as large, seen from the eye.
-    const auto farther = [&](double corner, int axis) { return eye[axis] + 2 * (corner - eye[axis]); };
+    const auto farther = [&](double corner, int axis) {
+        return eye[axis] + 2 * (corner - eye[axis]);
+    };
     quad(farther(-1, 0), farther(1.9, 1), farther(1, 0), farther(3.1, 1), farther(-3, 2));
     rtuCameraFromWall(lowerLeft, lowerRight, upperLeft, eye);
     rtRender();

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Programs with rtut windows off-screen: order of calls, clock, files, wrong arguments."""
+"""Programs with rtut windows, off-screen and on a virtual screen: order of calls, clock, files,
+wrong arguments."""
 import argparse
 import os
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -41,7 +43,8 @@ def read_png(path):
     raw, rows, stride = zlib.decompress(packed), [], width * 3
     previous = bytes(stride)
     for y in range(height):
-        kind, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        start = y * (stride + 1)
+        kind, line = raw[start], bytearray(raw[start + 1:start + 1 + stride])
         for i in range(stride):
             left = line[i - 3] if i >= 3 else 0
             up, corner = previous[i], previous[i - 3] if i >= 3 else 0
@@ -160,6 +163,18 @@ class Offscreen(unittest.TestCase):
         result = run()
         self.assertEqual(result.returncode, 1)
         self.assertIn("there is no display", result.stderr)
+
+
+@unittest.skipUnless(shutil.which("xvfb-run"), "no xvfb-run")
+class OnScreen(unittest.TestCase):
+    def test_two_frames_in_a_window(self):
+        result = subprocess.run(["xvfb-run", "-a", PROGRAM, "leave"], text=True, timeout=120,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        shown = [line for line in result.stdout.splitlines() if not line.startswith("timer")]
+        self.assertEqual([line.split(" at ")[0] for line in shown],
+                         ["arguments 1", "reshape 16 16", "visibility 1", "display 0", "display 1",
+                          "left the loop"])
 
 
 class Exports(unittest.TestCase):

@@ -30,7 +30,8 @@ Parsed parse(std::vector<std::string> arguments) {
 
 TEST(Options, areTakenOut) {
     const Parsed p = parse({"a", "--rt-offscreen", "3", "b", "--rt-output", "f%03d.png",
-                            "--rt-size", "64x48", "-iconic", "-display", ":0", "--rt-threads", "2"});
+                            "--rt-size", "64x48", "-iconic", "-display", ":0", "--rt-threads",
+                            "2"});
     EXPECT_EQ(p.problem, "");
     EXPECT_EQ(p.options.offscreenFrames, 3);
     EXPECT_EQ(p.options.output, "f%03d.png");
