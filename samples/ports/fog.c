@@ -34,7 +34,8 @@ static void idle(void) {
 }
 
 static void init(void) {
-    static const GLfloat position[] = {0.5f, 0.5f, 3.0f, 0.0f}, color[] = {0.5f, 0.5f, 0.5f, 1.0f},
+    static const GLfloat position[] = {0.5f, 0.5f, 3.0f, 0.0f},
+                         color[] = {0.52f, 0.52f, 0.52f, 1.0f},
                          ambient[] = {0.17f, 0.01f, 0.01f, 1.0f},
                          diffuse[] = {0.61f, 0.04f, 0.04f, 1.0f},
                          specular[] = {0.73f, 0.63f, 0.63f, 1.0f};
@@ -52,7 +53,7 @@ static void init(void) {
     glHint(GL_FOG_HINT, GL_NICEST);
     glFogf(GL_FOG_START, 1.0f);
     glFogf(GL_FOG_END, 7.0f);
-    glClearColor(0.5f, 0.5f, 0.5f, 1.0f);
+    glClearColor(0.52f, 0.52f, 0.52f, 1.0f);
 }
 
 int main(int argc, char** argv) {

@@ -155,7 +155,7 @@ static void init(void) {
     static const GLfloat position[] = {2.0f, 3.0f, 4.0f, 0.0f},
                          specular[] = {0.5f, 0.5f, 0.5f, 1.0f},
                          diffuse[] = {0.3f, 0.7f, 0.6f, 1.0f};
-    glClearColor(0.1f, 0.1f, 0.2f, 1.0f);
+    glClearColor(0.12f, 0.12f, 0.2f, 1.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);

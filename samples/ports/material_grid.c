@@ -51,7 +51,7 @@ static void reshape(int width, int height) {
 
 static void init(void) {
     static const GLfloat ambient[] = {0.4f, 0.4f, 0.4f, 1.0f};
-    glClearColor(0.0f, 0.1f, 0.1f, 0.0f);
+    glClearColor(0.0f, 0.12f, 0.12f, 0.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);

@@ -35,20 +35,20 @@ static void endOverlay(void) {
 static void panel(void) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glColor4f(0.1f, 0.1f, 0.3f, 0.6f);
+    glColor4f(0.12f, 0.12f, 0.32f, 0.6f);
     glRecti(0, 0, windowWidth, windowHeight / 5);
     glDisable(GL_BLEND);
     for (int i = 0; i < 8; ++i) {
         const double value = 0.5 + 0.45 * sin(0.05 * angle + i);
         const GLfloat left = (GLfloat)(windowWidth * (i + 1) / 10),
                       top = (GLfloat)floor(value * windowHeight / 5.0);
-        glColor3f(0.3f + 0.08f * (GLfloat)i, 0.8f - 0.05f * (GLfloat)i, 0.4f);
+        glColor3f(0.32f + 0.08f * (GLfloat)i, 0.8f - 0.05f * (GLfloat)i, 0.4f);
         glRectf(left, 0.0f, left + (GLfloat)(windowWidth / 14), top);
     }
 }
 
 static void frame(void) {
-    glColor3f(1.0f, 0.9f, 0.2f);
+    glColor3f(1.0f, 0.92f, 0.2f);
     glLineWidth(2.0f);
     glBegin(GL_LINE_LOOP);
     glVertex2f(5.0f, 5.0f);
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);
     glutCreateWindow("overlay");
-    glClearColor(0.2f, 0.3f, 0.3f, 1.0f);
+    glClearColor(0.2f, 0.32f, 0.32f, 1.0f);
     glEnable(GL_LIGHT0);
     glLightfv(GL_LIGHT0, GL_POSITION, position);
     glutDisplayFunc(display);

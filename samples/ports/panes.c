@@ -16,7 +16,7 @@ static void pane(GLfloat z, GLfloat red, GLfloat green, GLfloat blue, GLfloat al
 
 static void glow(GLfloat x, GLfloat y) {
     glBegin(GL_TRIANGLE_FAN);
-    glColor4f(0.8f, 0.7f, 0.3f, 1.0f);
+    glColor4f(0.8f, 0.72f, 0.32f, 1.0f);
     glVertex3f(x, y, 1.2f);
     glColor4f(0.0f, 0.0f, 0.0f, 1.0f);
     glVertex3f(x + 0.5f, y, 1.2f);
@@ -31,7 +31,7 @@ static void solids(void) {
     glEnable(GL_LIGHTING);
     glPushMatrix();
     glRotatef(angle, 0.3f, 1.0f, 0.0f);
-    glColor3f(0.8f, 0.8f, 0.9f);
+    glColor3f(0.8f, 0.8f, 0.92f);
     glutSolidCube(0.9);
     glPopMatrix();
     glDisable(GL_LIGHTING);
@@ -45,9 +45,9 @@ static void display(void) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glPushMatrix();
     glRotatef(25.0f, 0.0f, 1.0f, 0.0f);
-    pane(-0.8f, 1.0f, 0.2f, 0.2f, 0.5f);
-    pane(0.1f, 0.2f, 1.0f, 0.2f, 0.4f);
-    pane(0.9f, 0.2f, 0.4f, 1.0f, 0.3f);
+    pane(-0.8f, 1.0f, 0.2f, 0.2f, 0.52f);
+    pane(0.12f, 0.2f, 1.0f, 0.2f, 0.4f);
+    pane(0.92f, 0.2f, 0.4f, 1.0f, 0.32f);
     glPopMatrix();
     glBlendFunc(GL_ONE, GL_ONE);
     glow(-0.7f, 0.6f);
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);
     glutCreateWindow("panes");
-    glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
+    glClearColor(0.12f, 0.12f, 0.12f, 1.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHT0);
     glEnable(GL_COLOR_MATERIAL);

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);
     glutCreateWindow("revolution");
-    glClearColor(0.3f, 0.35f, 0.3f, 1.0f);
+    glClearColor(0.32f, 0.35f, 0.32f, 1.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);

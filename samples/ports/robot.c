@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);
     glutCreateWindow("robot");
-    glClearColor(0.1f, 0.1f, 0.15f, 1.0f);
+    glClearColor(0.12f, 0.12f, 0.15f, 1.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_NORMALIZE);
     glEnable(GL_LIGHTING);

@@ -10,7 +10,7 @@ static void init(void) {
                          warm[] = {0.7f, 0.5f, 0.3f, 1.0f}, cold[] = {0.2f, 0.3f, 0.7f, 1.0f},
                          specular[] = {0.6f, 0.6f, 0.6f, 1.0f},
                          ambient[] = {0.1f, 0.1f, 0.1f, 1.0f};
-    glClearColor(0.3f, 0.3f, 0.3f, 1.0f);
+    glClearColor(0.32f, 0.32f, 0.32f, 1.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);

@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);
     glutCreateWindow("shadows");
-    glClearColor(0.5f, 0.6f, 0.8f, 1.0f);
+    glClearColor(0.52f, 0.6f, 0.8f, 1.0f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);

@@ -42,7 +42,7 @@ static void band(int number) {
 }
 
 static void init(void) {
-    static const GLfloat sun[] = {1.0f, 1.0f, 0.4f, 0.0f}, sky[] = {0.6f, 0.7f, 0.9f, 1.0f};
+    static const GLfloat sun[] = {1.0f, 1.0f, 0.4f, 0.0f}, sky[] = {0.6f, 0.72f, 0.92f, 1.0f};
     glClearColor(sky[0], sky[1], sky[2], sky[3]);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_LIGHTING);

@@ -46,7 +46,7 @@ static void init(void) {
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-    glClearColor(0.5f, 0.6f, 0.8f, 1.0f);
+    glClearColor(0.52f, 0.6f, 0.8f, 1.0f);
 }
 
 static void texturedCube(void) {

@@ -21,12 +21,12 @@ static void display(void) {
     glScalef(0.008f, 0.008f, 0.008f);
     glTranslatef(-length / 2.0f, -40.0f, 0.0f);
     glLineWidth(3.0f);
-    glColor3f(0.9f, 0.8f, 0.3f);
+    glColor3f(0.92f, 0.8f, 0.32f);
     strokes(word);
     glPopMatrix();
-    glColor3f(0.6f, 0.9f, 0.6f);
+    glColor3f(0.6f, 0.92f, 0.6f);
     bitmaps(GLUT_BITMAP_8_BY_13, -1.6f, -1.2f, "8 by 13: 0123");
-    glColor3f(0.7f, 0.7f, 1.0f);
+    glColor3f(0.72f, 0.72f, 1.0f);
     bitmaps(GLUT_BITMAP_HELVETICA_18, -1.6f, 1.3f, "Helvetica 18");
     glFlush();
 }
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_SINGLE | GLUT_RGB | GLUT_DEPTH);
     glutCreateWindow("text");
-    glClearColor(0.1f, 0.1f, 0.2f, 1.0f);
+    glClearColor(0.12f, 0.12f, 0.2f, 1.0f);
     glutDisplayFunc(display);
     glutReshapeFunc(reshape);
     glutIdleFunc(glutPostRedisplay);

@@ -58,6 +58,7 @@ static void displayQuestions(void) {
     static int asked;
     if (asked) return;
     asked = 1;
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); /* as every program of OpenGL does */
     askQuestions();
     fflush(stdout);
 }

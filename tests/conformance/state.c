@@ -403,7 +403,8 @@ static void listsAndTextures(void) {
     beginCase("lists/compile_and_execute");
     glNewList(list + 1, GL_COMPILE_AND_EXECUTE);
     glColor3f(0.75f, 0.5f, 0.25f);
-    tellState(GL_LIST_MODE, 1);
+    glGetIntegerv(GL_LIST_MODE, &value);
+    printf("%d\n", value == GL_COMPILE_AND_EXECUTE);
     glEndList();
     tellState(GL_CURRENT_COLOR, 4);
     beginCase("lists/matrix_effect_stays");
