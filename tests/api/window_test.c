@@ -136,6 +136,7 @@ static void testLayers(void) {
 static void testReadingBack(void) {
     float rgba[4], depth[2];
     startPicture();
+    rtEnable(RT_DEPTH_TEST);
     rtClearColor(0, 0, 0.5f, 1);
     rtClear(RT_COLOR_BUFFER_BIT | RT_DEPTH_BUFFER_BIT);
     red();

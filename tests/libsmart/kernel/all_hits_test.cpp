@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -27,7 +28,7 @@ Name nameOf(const Hit& hit) {
 
 /// A soup, placed twice and, nested in another object, a third time.
 struct SoupScene {
-    std::vector<Triangle> triangles = triangleSoup(120, 0.4f, 7);
+    std::vector<Triangle> triangles = triangleSoup(120, 0.8f, 7);
     glm::dmat4x3 places[3];
     std::vector<Instance> instances;
 
@@ -80,13 +81,12 @@ TEST(AllHits, EachTriangleThatIsMetAlone) {
     const SoupScene soup;
     for (const Precision precision : {Precision::Fast, Precision::Watertight, Precision::Precise}) {
         const TracedScene scene(soup.instances, precision);
-        std::vector<TracedScene> alone; // copy by copy
-        alone.reserve(3 * soup.triangles.size());
+        std::vector<std::unique_ptr<const Scene>> alone; // copy by copy
         for (uint32_t copy = 0; copy < 3; ++copy)
             for (const Triangle& triangle : soup.triangles)
-                alone.emplace_back(
+                alone.push_back(std::make_unique<const Scene>(
                     std::vector<Instance>{place(makeModel({triangle}), soup.places[copy])},
-                    precision);
+                    precision, 1u));
         std::size_t hits = 0, most = 0;
         for (const Ray& ray : rays()) {
             std::map<Name, std::array<float, 3>> expected;
@@ -94,7 +94,7 @@ TEST(AllHits, EachTriangleThatIsMetAlone) {
                 for (uint32_t i = 0; i < soup.triangles.size(); ++i) {
                     Hit hit;
                     findKernels("generic")->intersect1[std::size_t(precision)](
-                        alone[copy * soup.triangles.size() + i].view(), ray, hit);
+                        alone[copy * soup.triangles.size() + i]->view(), ray, hit);
                     if (hit.triangle != kNoHit)
                         expected[soup.nameOf(copy, i)] = {hit.t, hit.u, hit.v};
                 }
