@@ -7,9 +7,9 @@
  * Frames. Each window has a rendering context (the first: the default one) and is its frame
  *   buffer, RT_RGBA_8. rtutSwapBuffers queues the frame and shows the newest finished one, so that
  *   the next is described while one is rendered. In a single-buffered window the end of the
- *   display callback renders and shows the frame, if anything was given since the last one. A
- *   frame is shown as a texture on one rectangle by OpenGL, GLFW opens the window; both are loaded
- *   when the first window is opened, not before.
+ *   display callback renders and shows the frame; each frame starts from the clear colour. A frame
+ *   is shown as a texture on one rectangle by OpenGL, GLFW opens the window; both are started by
+ *   the first window, not before.
  * Off-screen. With --rt-offscreen N on its command line any program renders N frames, writes each,
  *   and ends with exit status 0; GLFW and OpenGL are not touched. The clock is fixed: when the
  *   display callback is called for the n-th time (from 0) it is 40 n milliseconds. At first the
