@@ -156,6 +156,28 @@ TEST_F(DisplayLists, ProjectedGeometryIsDrawn) {
     EXPECT_EQ(pictureOf([&] { projected([list] { rtCallList(list); }); }), direct);
 }
 
+TEST_F(DisplayLists, PointsLinesAndEdgesOfPolygons) {
+    const auto draw = [] {
+        drawShapes();
+        rtColor3f(1, 1, 0);
+        rtBegin(RT_LINE_STRIP);
+        for (int i = 0; i < 8; ++i) rtVertex3f(float(i % 3) - 1, float(i % 5) - 2, -3);
+        rtEnd();
+        rtBegin(RT_TRIANGLES);
+        rtVertex3f(-1, -1, -2);
+        rtVertex3f(1, -1, -2);
+        rtVertex3f(0, 1, -2);
+        rtEnd();
+    };
+    rtLineWidth(3);
+    const RTuint list = newList(draw);
+    for (const RTenum mode : {RT_FILL, RT_LINE}) {
+        rtPolygonMode(RT_FRONT_AND_BACK, mode);
+        const Pixels direct = pictureOf(draw);
+        EXPECT_EQ(pictureOf([list] { rtCallList(list); }), direct);
+    }
+}
+
 TEST_F(DisplayLists, InAnObjectItIsPartOfIt) {
     const RTuint list = newList(drawShapes);
     const RTuint object = rtNewObject(RT_DEFINE);
