@@ -143,7 +143,8 @@ FixedBlend blendOf(const FixedFragmentOps& ops, const glm::vec4& color) {
 bool letsThrough(const FixedFragmentOps& ops) {
     if (ops.alphaTest && ops.alphaFunction != CompareFunction::Always) return true;
     if (!ops.blend || ops.colorLogicOp || ops.blendEquation != BlendEquation::Add) return false;
-    return ops.destinationRgb != BlendFactor::Zero || ops.sourceRgb == BlendFactor::DestinationColor;
+    return ops.destinationRgb != BlendFactor::Zero ||
+           ops.sourceRgb == BlendFactor::DestinationColor;
 }
 
 } // namespace smart

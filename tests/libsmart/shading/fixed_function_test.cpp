@@ -212,7 +212,8 @@ double texCoordError(Fault fault, int cases) {
         const FixedMaterials materials;
         const FixedVertex vertex = dice.vertex(materials);
         const LitVertex lit = litVertex(state, vertex, false);
-        worst = std::max(worst, distanceOf(lit.texCoord, referenceTexCoord(state, vertex, fault), 4));
+        worst = std::max(
+            worst, distanceOf(lit.texCoord, referenceTexCoord(state, vertex, fault), 4));
     }
     return worst;
 }
