@@ -64,13 +64,17 @@ static RTuint imageLevelLarge(void) {
     return image(14, RT_RGB, 2, 0, RT_RGB, RT_UNSIGNED_BYTE);
 }
 static RTuint imageInternal(void) { return image(0, 99, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
-static RTuint imageAlpha(void) { return image(0, RT_ALPHA8, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageDepth(void) {
+    return image(0, RT_DEPTH_COMPONENT, 1, 0, RT_RGB, RT_UNSIGNED_BYTE);
+}
 static RTuint imageNegative(void) { return image(0, RT_RGB, -1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageLarge(void) { return image(0, RT_RGB, 1 << 20, 0, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageBorder(void) { return image(0, RT_RGB, 3, 1, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageBorderTwo(void) { return image(0, RT_RGB, 3, 2, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageFormat(void) { return image(0, RT_RGB, 1, 0, 0xABCD, RT_UNSIGNED_BYTE); }
-static RTuint imageRed(void) { return image(0, RT_RGB, 1, 0, RT_RED, RT_UNSIGNED_BYTE); }
+static RTuint imageIndex(void) {
+    return image(0, RT_RGB, 1, 0, RT_COLOR_INDEX, RT_UNSIGNED_BYTE);
+}
 static RTuint imageType(void) { return image(0, RT_RGB, 1, 0, RT_RGB, 0xABCD); }
 static RTuint imageInt(void) { return image(0, RT_RGB, 1, 0, RT_RGB, RT_INT); }
 static RTuint part(RTint level, RTint x, RTsizei width, RTenum format, RTenum type,
@@ -141,7 +145,7 @@ static RTuint getLevelLevel(void) {
 static RTuint storeUnknown(void) { return rtPixelStorei(0xABCD, 1), 0u; }
 static RTuint storeAlignment(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 3), 0u; }
 static RTuint storeNegative(void) { return rtPixelStoref(RT_UNPACK_ROW_LENGTH, -1), 0u; }
-static RTuint storePack(void) { return rtPixelStorei(RT_PACK_ALIGNMENT, 4), 0u; }
+static RTuint storePack(void) { return rtPixelStorei(RT_PACK_SKIP_IMAGES, 4), 0u; }
 static RTuint store(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 1), 0u; }
 static RTuint accumulate(void) { return rtAccum(RT_ACCUM, 1), 0u; }
 static RTuint select(void) { return rtRenderMode(RT_SELECT) ? 1u : 0u; }
@@ -191,13 +195,13 @@ int main(void) {
         MISUSE(imageLevels, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageLevelLarge, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageInternal, OUTSIDE, RT_INVALID_VALUE),
-        MISUSE(imageAlpha, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageDepth, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageNegative, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageLarge, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageBorder, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageBorderTwo, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageFormat, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(imageRed, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageIndex, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageType, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(imageInt, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(partLevel, OUTSIDE, RT_INVALID_OPERATION),
