@@ -8,6 +8,7 @@ packages=(
     libglfw3-dev libgl-dev                            # the viewer
     libgtest-dev libgmp-dev                           # the tests; exact arithmetic as the truth
     libembree-dev                                     # the benchmark's yardstick
+    libosmesa6-dev libglu1-mesa-dev                   # OpenGL itself, to compare the ports with
 )
 
 # Installs what is missing; silent if nothing is.

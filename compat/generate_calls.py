@@ -1,10 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes what follows from the tables of OpenGL 1.5's functions and tokens.
+"""Writes what follows from the tables of the functions and tokens of OpenGL, GLU and GLUT.
 
 gl_calls.csv:  every function of OpenGL 1.0 to 1.5 under its rt name. `core` functions are declared
                by hand in openrt/rt.h; of the `refused` ones declaration and definition are written.
+               `how` says where a core function differs from OpenGL's; empty: it does not.
+glu_calls.csv, glut_calls.csv: the same of GLU 1.3 and GLUT 3.7, whose headers are written by hand.
 gl_tokens.csv: every token whose value is OpenGL's.
+
+Written are the headers and definitions of OpenGL's refused functions and of its tokens, the names
+of the three libraries below openrt/gl, and the table in docs/porting.md.
 
 With --check nothing is written: exit status 1 if a committed file differs from what would be.
 """
@@ -16,7 +21,11 @@ import re
 import sys
 import textwrap
 
+import generate_names
+import generate_porting
+
 WIDTH = 100
+CALL_COLUMNS = ["name", "result", "parameters", "version", "chapter", "how", "status"]
 NOTE = "Written by compat/generate_calls.py; change the table, not this file."
 
 
@@ -101,15 +110,24 @@ def refused_source(rows):
     return "\n".join(out + [""])
 
 
+def read_calls(root):
+    """The rows of functions of gl, glu and glut."""
+    tables = {}
+    for library in ("gl", "glu", "glut"):
+        path = root / f"compat/{library}_calls.csv"
+        tables[library] = read_table(path, CALL_COLUMNS)
+        for row in tables[library]:
+            if row["status"] not in ("core", "refused"):
+                raise SystemExit(f"{path}: {row['name']}: unknown status '{row['status']}'")
+    return tables
+
+
 def generate(root):
     """Path below root -> text, for every generated file."""
-    calls = read_table(root / "compat/gl_calls.csv",
-                       ["name", "result", "parameters", "version", "chapter", "status"])
+    tables = read_calls(root)
+    calls = tables["gl"]
     tokens = read_table(root / "compat/gl_tokens.csv", ["token", "value", "version", "chapter"])
-    for row in calls:
-        if row["status"] not in ("core", "refused"):
-            raise SystemExit(f"gl_calls.csv: {row['name']}: unknown status '{row['status']}'")
-    for rows, key in ((calls, "name"), (tokens, "token")):
+    for rows, key in (*((rows, "name") for rows in tables.values()), (tokens, "token")):
         names = [row[key] for row in rows]
         if len(set(names)) != len(names):
             raise SystemExit(f"a {key} is listed twice")
@@ -123,6 +141,8 @@ def generate(root):
             "The tokens that OpenGL 1.2 to 1.5 added, with OpenGL's value."),
         "include/openrt/rt_gl.h": refused_header(refused),
         "compat/openrt/api_refused.cpp": refused_source(refused),
+        **generate_names.generate(root, NOTE, tables, tokens),
+        **generate_porting.generate(root, tables),
     }
 
 
@@ -151,6 +171,7 @@ def main():
         print("\n".join(found[:40]))
         return 1 if found else 0
     for path, text in files.items():
+        (arguments.root / path).parent.mkdir(parents=True, exist_ok=True)
         (arguments.root / path).write_text(text, encoding="utf-8")
     return 0
 

@@ -5,6 +5,11 @@ include(CMakePackageConfigHelpers)
 install(TARGETS OpenRT EXPORT OpenRTTargets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET rtut)
+    install(TARGETS rtut EXPORT OpenRTTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(FILES ${CMAKE_CURRENT_LIST_DIR}/rtut/fonts/NOTICE
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME NOTICE.fonts)
+endif()
 install(TARGETS smart EXPORT OpenRTSmartTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/libsmart DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
@@ -28,7 +33,11 @@ install(EXPORT OpenRTSmartTargets NAMESPACE OpenRT:: DESTINATION ${openrt_cmake_
 file(RELATIVE_PATH openrt_prefix_from_pc
     /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 
-foreach(package openrt openrt-shader)
+set(packages openrt openrt-shader)
+if(TARGET rtut)
+    list(APPEND packages rtut)
+endif()
+foreach(package ${packages})
     configure_file(${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in
         ${PROJECT_BINARY_DIR}/${package}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${package}.pc

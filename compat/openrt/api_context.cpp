@@ -145,7 +145,7 @@ RTAPI const RTubyte* RTAPIENTRY rtGetString(RTenum name) {
         c.recorder().requireOutsidePrimitive();
         const char* text = nullptr;
         switch (name) {
-        case RT_VERSION: text = OPENRT_VERSION_STRING; break;
+        case RT_VERSION: text = "1.5 OpenRT " OPENRT_VERSION_STRING; break;
         case RT_VENDOR: text = "OpenRT project"; break;
         case RT_RENDERER: text = "OpenRT on libsmart"; break;
         case RT_EXTENSIONS: text = ""; break;
@@ -163,19 +163,5 @@ RTAPI void RTAPIENTRY rtThreads(RTuint n) {
         c.recorder().requireOutsidePrimitive();
         if (n > kMaxThreads) throwError(ErrorCode::InvalidValue, "more than 1024 threads");
         c.frames().setThreads(n);
-    });
-}
-
-RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode) {
-    guarded(__func__, [&](Context& c) {
-        c.recorder().requireOutsideObject();
-        if (!isHintTarget(target)) throwError(ErrorCode::InvalidEnum, "no such hint");
-        if (mode != RT_FASTEST && mode != RT_DONT_CARE && mode != RT_NICEST)
-            throwError(ErrorCode::InvalidEnum, "a hint is RT_FASTEST, RT_DONT_CARE or RT_NICEST");
-        if (target != RT_PRECISION_HINT)
-            throwError(ErrorCode::InvalidOperation, "this hint is not part of this release");
-        c.recorder().frameSettings().precision = mode == RT_FASTEST   ? Precision::Fast
-                                                 : mode == RT_NICEST ? Precision::Precise
-                                                                     : Precision::Watertight;
     });
 }

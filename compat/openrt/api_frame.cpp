@@ -105,21 +105,21 @@ RTAPI void RTAPIENTRY rtWeightCutoff(RTfloat weight) {
 }
 
 RTAPI void RTAPIENTRY rtUseLight(RTuint shader) {
-    guarded(__func__, [&](Context& c) { c.recorder().useLight(shader, true); });
+    recorded(__func__, [=](Context& c) { c.recorder().useLight(shader, true); });
 }
 RTAPI void RTAPIENTRY rtUseLightFast(RTuint shader) {
-    guarded(__func__, [&](Context& c) { c.recorder().useLight(shader, false); });
+    recorded(__func__, [=](Context& c) { c.recorder().useLight(shader, false); });
 }
 RTAPI void RTAPIENTRY rtUseCamera(RTuint shader) {
-    guarded(__func__, [&](Context& c) { c.recorder().useUnique(UniqueShader::Camera, shader); });
+    recorded(__func__, [=](Context& c) { c.recorder().useUnique(UniqueShader::Camera, shader); });
 }
 RTAPI void RTAPIENTRY rtUseEnvironmentShader(RTuint shader) {
-    guarded(__func__,
-            [&](Context& c) { c.recorder().useUnique(UniqueShader::Environment, shader); });
+    recorded(__func__,
+             [=](Context& c) { c.recorder().useUnique(UniqueShader::Environment, shader); });
 }
 RTAPI void RTAPIENTRY rtUseRenderingObject(RTuint shader) {
-    guarded(__func__,
-            [&](Context& c) { c.recorder().useUnique(UniqueShader::RenderingObject, shader); });
+    recorded(__func__,
+             [=](Context& c) { c.recorder().useUnique(UniqueShader::RenderingObject, shader); });
 }
 
 RTAPI void RTAPIENTRY rtStartRendering(void) {

@@ -6,19 +6,31 @@
 using namespace smart;
 using namespace smart::compat;
 
+namespace {
+
+/// An object is no part of a display list.
+void requireNoList(Context& c) {
+    if (c.lists().recording())
+        throwError(ErrorCode::InvalidOperation, "not legal while a display list is compiled");
+}
+
+} // namespace
+
 RTAPI void RTAPIENTRY rtBegin(RTenum mode) {
-    guarded(__func__, [&](Context& c) {
+    const bool filled = mode >= RT_TRIANGLES && mode <= RT_POLYGON;
+    recordedAs(filled ? ListOp::BeginFilled : ListOp::BeginOther, __func__, 0, [=](Context& c) {
         c.recorder().requireOutsidePrimitive();
         c.recorder().begin(primitiveOf(mode));
     });
 }
 RTAPI void RTAPIENTRY rtEnd(void) {
-    guarded(__func__, [](Context& c) { c.recorder().end(); });
+    recordedAs(ListOp::End, __func__, 0, [](Context& c) { c.recorder().end(); });
 }
 
 RTAPI RTuint RTAPIENTRY rtNewObject(RTenum mode) {
     return guardedOr<RTuint>(RT_INVALID, __func__, [&](Context& c) {
         c.recorder().requireOutsideObject();
+        requireNoList(c);
         if (mode != RT_DEFINE && mode != RT_DEFINE_AND_INSTANTIATE)
             throwError(ErrorCode::InvalidEnum, "unknown object mode");
         return c.recorder().newObject(mode == RT_DEFINE ? ObjectMode::Define
@@ -29,7 +41,10 @@ RTAPI void RTAPIENTRY rtEndObject(void) {
     guarded(__func__, [](Context& c) { c.recorder().endObject(); });
 }
 RTAPI void RTAPIENTRY rtReplaceObject(RTuint object) {
-    guarded(__func__, [&](Context& c) { c.recorder().replaceObject(object); });
+    guarded(__func__, [&](Context& c) {
+        requireNoList(c);
+        c.recorder().replaceObject(object);
+    });
 }
 RTAPI void RTAPIENTRY rtUpdateObject(RTuint, RTuint, RTsizei, const RTfloat*) {
     refused(__func__);
@@ -39,17 +54,21 @@ RTAPI void RTAPIENTRY rtRemoveObject(RTuint object) {
 }
 
 RTAPI void RTAPIENTRY rtInstantiateObject(RTuint object) {
-    guarded(__func__, [&](Context& c) { c.recorder().instantiate(object); });
+    recorded(__func__, [=](Context& c) { c.recorder().instantiate(object); });
 }
 RTAPI void RTAPIENTRY rtInstantiateObjectShader(RTuint object, RTuint shader) {
-    guarded(__func__, [&](Context& c) { c.recorder().instantiateWithShader(object, shader); });
+    recorded(__func__, [=](Context& c) { c.recorder().instantiateWithShader(object, shader); });
 }
 RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const RTuint* shaders) {
     guarded(__func__, [&](Context& c) {
-        c.recorder().requireOutsidePrimitive();
         if (n < 0) throwError(ErrorCode::InvalidValue, "n is negative");
         if (n > 0) requirePointer(shaders, "shaders");
-        c.recorder().instantiateWithShaders(object, {shaders, std::size_t(n)});
+        const auto body = [object, kept = std::vector(shaders, shaders + n)](Context& context) {
+            context.recorder().instantiateWithShaders(object, kept);
+        };
+        ListRecording* const list = c.lists().recording();
+        if (list && !keepIn(*list, ListOp::Call, "rtInstantiateObjectShaders", 0, body)) return;
+        body(c);
     });
 }
 

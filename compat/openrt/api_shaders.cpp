@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <memory>
+#include <new>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "compat/openrt/guard.h"
 #include "libsmart/shading/plugin_loader.h"
@@ -15,20 +18,40 @@ using namespace smart::compat;
 
 namespace {
 
-void set(Context& c, RTuint handle, RTStype type, const void* data, std::size_t bytes) {
-    c.recorder().setParameter(handle, {type, {static_cast<const std::byte*>(data), bytes}});
+bool keep(ListRecording& list, const char* function, RTuint handle, RTStype type,
+          std::span<const std::byte> value) noexcept {
+    try {
+        const auto body = [handle, type,
+                           kept = std::vector(value.begin(), value.end())](Context& c) {
+            c.recorder().setParameter(handle, {type, kept});
+        };
+        return keepIn(list, ListOp::Call, function, 0, body);
+    } catch (const std::bad_alloc&) {
+        return list.lose();
+    }
+}
+
+/// Copies the value where a list keeps the call, and only there.
+void set(const char* function, RTuint handle, RTStype type, const void* data,
+         std::size_t bytes) noexcept {
+    guarded(function, [&](Context& c) {
+        const std::span value(static_cast<const std::byte*>(data), bytes);
+        if (ListRecording* const list = c.lists().recording())
+            if (!keep(*list, function, handle, type, value)) return;
+        c.recorder().setParameter(handle, {type, value});
+    });
 }
 
 template <class T, std::size_t n>
 void set(const char* function, RTuint handle, RTStype type, const T (&values)[n]) noexcept {
-    guarded(function, [&](Context& c) { set(c, handle, type, values, sizeof values); });
+    set(function, handle, type, values, sizeof values);
 }
 
 void setPointer(const char* function, RTuint handle, RTStype type, const RTfloat* v,
                 std::size_t n) noexcept {
-    guarded(function, [&](Context& c) {
+    guarded(function, [&](Context&) {
         requirePointer(v, "v");
-        set(c, handle, type, v, n * sizeof *v);
+        set(function, handle, type, v, n * sizeof *v);
     });
 }
 
@@ -79,7 +102,7 @@ RTAPI RTuint RTAPIENTRY rtRegisterShaderClass(const struct RTshaderclass* descri
 }
 
 RTAPI void RTAPIENTRY rtBindShaderClass(RTuint shaderClass) {
-    guarded(__func__, [&](Context& c) { c.recorder().shaders().bindClass(shaderClass); });
+    recorded(__func__, [=](Context& c) { c.recorder().shaders().bindClass(shaderClass); });
 }
 RTAPI void RTAPIENTRY rtRemoveShaderClass(RTuint shaderClass) {
     guarded(__func__, [&](Context& c) { c.recorder().shaders().removeClass(shaderClass); });
@@ -89,7 +112,7 @@ RTAPI RTuint RTAPIENTRY rtGenNewShader(void) {
                              [](Context& c) { return c.recorder().shaders().newShader(); });
 }
 RTAPI void RTAPIENTRY rtBindShader(RTuint shader) {
-    guarded(__func__, [&](Context& c) { c.recorder().shaders().bindShader(shader); });
+    recorded(__func__, [=](Context& c) { c.recorder().shaders().bindShader(shader); });
 }
 RTAPI void RTAPIENTRY rtRemoveShader(RTuint shader) {
     guarded(__func__, [&](Context& c) { c.recorder().shaders().removeShader(shader); });
@@ -148,14 +171,14 @@ RTAPI void RTAPIENTRY rtParameter16fv(RTuint handle, const RTfloat* v) {
 }
 
 RTAPI void RTAPIENTRY rtParameterRaw(RTuint handle, const void* data, RTuint size) {
-    guarded(__func__, [&](Context& c) {
+    guarded(__func__, [&](Context&) {
         requirePointer(data, "data");
-        set(c, handle, RTS_RAW, data, size);
+        set("rtParameterRaw", handle, RTS_RAW, data, size);
     });
 }
 RTAPI void RTAPIENTRY rtParameterString(RTuint handle, const char* text) {
-    guarded(__func__, [&](Context& c) {
+    guarded(__func__, [&](Context&) {
         requirePointer(text, "text");
-        set(c, handle, RTS_STRING, text, std::strlen(text));
+        set("rtParameterString", handle, RTS_STRING, text, std::strlen(text));
     });
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "compat/openrt/capabilities.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/state_values.h"
-#include "compat/openrt/tokens.h"
+#include "openrt/rt_core.h"
 #include "openrt/rt_state.h"
 
 using namespace smart;
@@ -11,22 +12,45 @@ using namespace smart::compat;
 
 namespace {
 
-/// The switch itself.
-bool& capability(FrameSettings& settings, RTenum cap) {
-    switch (cap) {
-    case RT_FRAMEBUFFER_SRGB: return settings.target.srgb;
-    case RT_MULTISAMPLE: return settings.multisample;
-    default:
-        if (isCapability(cap))
-            throwError(ErrorCode::InvalidOperation, "this switch is not part of this release");
-        throwError(ErrorCode::InvalidEnum, "no such switch");
+/// A hint that no picture depends on; nullptr: none of them.
+HintMode* idleHint(IdleHints& hints, RTenum target) {
+    switch (target) {
+    case RT_PERSPECTIVE_CORRECTION_HINT: return &hints.perspectiveCorrection;
+    case RT_POINT_SMOOTH_HINT: return &hints.pointSmooth;
+    case RT_LINE_SMOOTH_HINT: return &hints.lineSmooth;
+    case RT_POLYGON_SMOOTH_HINT: return &hints.polygonSmooth;
+    case RT_FOG_HINT: return &hints.fog;
+    case RT_GENERATE_MIPMAP_HINT: return &hints.generateMipmap;
+    case RT_TEXTURE_COMPRESSION_HINT: return &hints.textureCompression;
+    default: return nullptr;
     }
 }
 
-void setCapability(const char* function, RTenum cap, bool on) noexcept {
-    guarded(function, [&](Context& c) {
+void setHint(Context& c, RTenum target, HintMode mode) {
+    if (HintMode* const hint = idleHint(c.recorder().idleState().hints, target)) {
+        *hint = mode;
+        return;
+    }
+    if (target != RT_PRECISION_HINT) throwError(ErrorCode::InvalidEnum, "no such hint");
+    c.recorder().frameSettings().precision = mode == HintMode::Fastest  ? Precision::Fast
+                                             : mode == HintMode::Nicest ? Precision::Precise
+                                                                        : Precision::Watertight;
+}
+
+HintMode hintModeOf(RTenum mode) {
+    switch (mode) {
+    case RT_FASTEST: return HintMode::Fastest;
+    case RT_DONT_CARE: return HintMode::DontCare;
+    case RT_NICEST: return HintMode::Nicest;
+    default:
+        throwError(ErrorCode::InvalidEnum, "a hint is RT_FASTEST, RT_DONT_CARE or RT_NICEST");
+    }
+}
+
+void enable(const char* function, RTenum cap, bool on) noexcept {
+    recorded(function, [=](Context& c) {
         c.recorder().requireOutsideObject();
-        capability(c.recorder().frameSettings(), cap) = on;
+        setCapability(c, cap, on);
     });
 }
 
@@ -65,14 +89,15 @@ RTAPI void RTAPIENTRY rtClearColor(RTclampf red, RTclampf green, RTclampf blue, 
 }
 
 RTAPI void RTAPIENTRY rtEnable(RTenum cap) {
-    setCapability(__func__, cap, true);
+    enable(__func__, cap, true);
 }
 RTAPI void RTAPIENTRY rtDisable(RTenum cap) {
-    setCapability(__func__, cap, false);
+    enable(__func__, cap, false);
 }
 RTAPI RTboolean RTAPIENTRY rtIsEnabled(RTenum cap) {
     return guardedOr<RTboolean>(RT_FALSE, __func__, [&](Context& c) -> RTboolean {
-        return capability(c.recorder().frameSettings(), cap) ? RT_TRUE : RT_FALSE;
+        c.recorder().requireOutsidePrimitive();
+        return isEnabled(c, cap) ? RT_TRUE : RT_FALSE;
     });
 }
 
@@ -90,4 +115,11 @@ RTAPI void RTAPIENTRY rtGetFloatv(RTenum pname, RTfloat* params) {
 }
 RTAPI void RTAPIENTRY rtGetDoublev(RTenum pname, RTdouble* params) {
     get(__func__, pname, params);
+}
+
+RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode) {
+    recorded(__func__, [=](Context& c) {
+        c.recorder().requireOutsideObject();
+        setHint(c, target, hintModeOf(mode));
+    });
 }

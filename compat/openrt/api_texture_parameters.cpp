@@ -16,8 +16,6 @@ namespace {
 
 [[noreturn]] void refuseParameter(RTenum pname) {
     switch (pname) {
-    case RT_TEXTURE_WRAP_R:
-    case RT_TEXTURE_PRIORITY:
     case RT_DEPTH_TEXTURE_MODE:
     case RT_TEXTURE_COMPARE_MODE:
     case RT_TEXTURE_COMPARE_FUNC:
@@ -46,8 +44,8 @@ float numberIn(double value) {
 /// `value`: the first, or only, one; nullptr border: the call has one value only.
 void setParameter(Context& c, RTenum target, RTenum pname, double value, const glm::vec4* border) {
     TextureStore& textures = c.recorder().textures();
-    checkTextureTarget(target);
-    TextureParameters p = textures.parameters();
+    const TextureTarget bound = textureTargetOf(target);
+    TextureParameters p = textures.parameters(bound);
     TextureOptions& options = p.options;
     switch (pname) {
     case RT_TEXTURE_WRAP_S: options.wrapS = textureWrapOf(tokenIn(value)); break;
@@ -65,13 +63,15 @@ void setParameter(Context& c, RTenum target, RTenum pname, double value, const g
     case RT_TEXTURE_BASE_LEVEL: options.firstLevel = levelIn(value); break;
     case RT_TEXTURE_MAX_LEVEL: options.lastLevel = levelIn(value); break;
     case RT_GENERATE_MIPMAP: p.generateMipmap = value != 0; break;
+    case RT_TEXTURE_PRIORITY: p.priority = std::clamp(numberIn(value), 0.0f, 1.0f); break;
+    case RT_TEXTURE_WRAP_R: p.wrapR = textureWrapOf(tokenIn(value)); break;
     default: refuseParameter(pname);
     }
-    textures.setParameters(p);
+    textures.setParameters(p, bound);
 }
 
 void setOne(const char* function, RTenum target, RTenum pname, double value) noexcept {
-    guarded(function, [&](Context& c) { setParameter(c, target, pname, value, nullptr); });
+    recorded(function, [=](Context& c) { setParameter(c, target, pname, value, nullptr); });
 }
 
 /// Integers as the components of a colour: the whole range is -1 to 1.
@@ -84,13 +84,13 @@ float componentOf(RTfloat value) {
 
 template <class T>
 void setSome(const char* function, RTenum target, RTenum pname, const T* params) noexcept {
-    guarded(function, [&](Context& c) {
+    glm::vec4 border(0.0f);
+    if (params && pname == RT_TEXTURE_BORDER_COLOR)
+        for (int k = 0; k < 4; ++k) border[k] = componentOf(params[k]);
+    recorded(function, [=, isNull = !params, value = params ? double(params[0]) : 0](Context& c) {
         c.recorder().textures(); // between begin and end nothing is looked at
-        requirePointer(params, "params");
-        glm::vec4 border(0.0f);
-        if (pname == RT_TEXTURE_BORDER_COLOR)
-            for (int k = 0; k < 4; ++k) border[k] = componentOf(params[k]);
-        setParameter(c, target, pname, double(params[0]), &border);
+        if (isNull) throwError(ErrorCode::InvalidValue, "params is NULL");
+        setParameter(c, target, pname, value, &border);
     });
 }
 
@@ -122,6 +122,8 @@ StateValue parameterValue(const TextureParameters& p, RTenum pname) {
     case RT_TEXTURE_MAX_LEVEL: return one(options.lastLevel);
     case RT_GENERATE_MIPMAP: return one(p.generateMipmap);
     case RT_TEXTURE_RESIDENT: return one(RT_TRUE);
+    case RT_TEXTURE_PRIORITY: return one(double(p.priority));
+    case RT_TEXTURE_WRAP_R: return one(tokenOf(p.wrapR));
     default: refuseParameter(pname);
     }
 }
@@ -131,7 +133,9 @@ double bitsOf(TexelType type) {
 }
 
 StateValue levelValue(const TextureLevelInfo& info, RTenum pname) {
-    const uint32_t channels = info.channels;
+    const bool alphaOnly = info.format == TexelFormat::Alpha;
+    const bool intensity = info.format == TexelFormat::Intensity;
+    const uint32_t channels = intensity ? 0 : info.channels;
     switch (pname) {
     case RT_TEXTURE_WIDTH: return one(info.width);
     case RT_TEXTURE_HEIGHT: return one(info.height);
@@ -139,12 +143,12 @@ StateValue levelValue(const TextureLevelInfo& info, RTenum pname) {
     case RT_TEXTURE_BORDER: return one(0);
     case RT_TEXTURE_RED_SIZE:
     case RT_TEXTURE_GREEN_SIZE:
-    case RT_TEXTURE_BLUE_SIZE: return one(channels > 2 ? bitsOf(info.type) : 0.0);
+    case RT_TEXTURE_BLUE_SIZE: return one(channels > 2 && !alphaOnly ? bitsOf(info.type) : 0.0);
     case RT_TEXTURE_LUMINANCE_SIZE:
         return one(channels == 1 || channels == 2 ? bitsOf(info.type) : 0.0);
     case RT_TEXTURE_ALPHA_SIZE:
         return one(channels > 0 && channels % 2 == 0 ? bitsOf(info.type) : 0.0);
-    case RT_TEXTURE_INTENSITY_SIZE:
+    case RT_TEXTURE_INTENSITY_SIZE: return one(intensity ? bitsOf(info.type) : 0.0);
     case RT_TEXTURE_DEPTH_SIZE:
     case RT_TEXTURE_COMPRESSED: return one(0);
     case RT_TEXTURE_DEPTH: return one(info.channels ? 1 : 0);
@@ -158,8 +162,8 @@ template <class T>
 void getParameter(const char* function, RTenum target, RTenum pname, T* params) noexcept {
     guarded(function, [&](Context& c) {
         const TextureStore& textures = c.recorder().textures();
-        checkTextureTarget(target);
-        const StateValue value = parameterValue(textures.parameters(), pname);
+        const StateValue value =
+            parameterValue(textures.parameters(textureTargetOf(target)), pname);
         requirePointer(params, "params");
         for (int i = 0; i < value.count; ++i) params[i] = value.as<T>(i);
     });
@@ -170,10 +174,10 @@ void getLevelParameter(const char* function, RTenum target, RTint level, RTenum 
                        T* params) noexcept {
     guarded(function, [&](Context& c) {
         const TextureStore& textures = c.recorder().textures();
-        checkTextureTarget(target);
+        const TextureTarget bound = textureTargetOf(target);
         if (level < 0 || uint32_t(level) > TextureStore::kMaxLevel)
             throwError(ErrorCode::InvalidValue, "levels go from 0 to 14");
-        const StateValue value = levelValue(textures.info(uint32_t(level)), pname);
+        const StateValue value = levelValue(textures.info(uint32_t(level), bound), pname);
         requirePointer(params, "params");
         *params = value.as<T>(0);
     });

@@ -6,6 +6,7 @@
 
 #include "compat/openrt/guard.h"
 #include "compat/openrt/image_formats.h"
+#include "compat/openrt/texture_images.h"
 #include "openrt/rt_textures.h"
 
 using namespace smart;
@@ -18,56 +19,37 @@ void requireNames(RTsizei n, const RTuint* textures) {
     if (n > 0) requirePointer(textures, "textures");
 }
 
-void checkLevel(RTint level) {
-    if (level < 0 || uint32_t(level) > TextureStore::kMaxLevel)
-        throwError(ErrorCode::InvalidValue, "levels go from 0 to 14");
-}
-
-void checkSize(RTsizei width, RTsizei height) {
-    if (width < 0 || height < 0) throwError(ErrorCode::InvalidValue, "an image's size is negative");
-}
-
-void checkSizeOfLevel(RTint level, RTsizei width, RTsizei height) {
-    checkSize(width, height);
-    const uint32_t largest = TextureStore::kMaxSize >> level;
-    if (uint32_t(width) > largest || uint32_t(height) > largest)
-        throwError(ErrorCode::InvalidValue,
-                   "images of level " + std::to_string(level) + " have " +
-                       std::to_string(largest) + " texels a side at most");
-}
-
-void checkBorder(RTint border) {
-    if (border < 0 || border > 1) throwError(ErrorCode::InvalidValue, "a border is 0 or 1");
-    if (border > 0)
-        throwError(ErrorCode::InvalidOperation, "texture borders are not part of this release");
+bool isOfPacking(RTenum pname) {
+    return pname >= RT_PACK_SWAP_BYTES && pname <= RT_PACK_ALIGNMENT;
 }
 
 void setPixelStore(const char* function, RTenum pname, RTint param) noexcept {
     guarded(function, [&](Context& c) {
-        PixelStore& store = c.recorder().pixelStore();
+        PixelStore& store = isOfPacking(pname) ? c.recorder().packStore()
+                                               : c.recorder().pixelStore();
         const auto count = [param] {
             if (param < 0) throwError(ErrorCode::InvalidValue, "a length is negative");
             return uint32_t(param);
         };
         switch (pname) {
         case RT_UNPACK_ALIGNMENT:
+        case RT_PACK_ALIGNMENT:
             if (param != 1 && param != 2 && param != 4 && param != 8)
                 throwError(ErrorCode::InvalidValue, "an alignment is 1, 2, 4 or 8");
             store.alignment = uint32_t(param);
             break;
-        case RT_UNPACK_ROW_LENGTH: store.rowLength = count(); break;
-        case RT_UNPACK_SKIP_PIXELS: store.skipPixels = count(); break;
-        case RT_UNPACK_SKIP_ROWS: store.skipRows = count(); break;
-        case RT_UNPACK_SWAP_BYTES: store.swapBytes = param != 0; break;
+        case RT_UNPACK_ROW_LENGTH:
+        case RT_PACK_ROW_LENGTH: store.rowLength = count(); break;
+        case RT_UNPACK_SKIP_PIXELS:
+        case RT_PACK_SKIP_PIXELS: store.skipPixels = count(); break;
+        case RT_UNPACK_SKIP_ROWS:
+        case RT_PACK_SKIP_ROWS: store.skipRows = count(); break;
+        case RT_UNPACK_SWAP_BYTES:
+        case RT_PACK_SWAP_BYTES: store.swapBytes = param != 0; break;
         case RT_UNPACK_LSB_FIRST:
+        case RT_PACK_LSB_FIRST: store.lsbFirst = param != 0; break;
         case RT_UNPACK_IMAGE_HEIGHT:
         case RT_UNPACK_SKIP_IMAGES:
-        case RT_PACK_ALIGNMENT:
-        case RT_PACK_ROW_LENGTH:
-        case RT_PACK_SKIP_PIXELS:
-        case RT_PACK_SKIP_ROWS:
-        case RT_PACK_SWAP_BYTES:
-        case RT_PACK_LSB_FIRST:
         case RT_PACK_IMAGE_HEIGHT:
         case RT_PACK_SKIP_IMAGES:
             throwError(ErrorCode::InvalidOperation,
@@ -80,6 +62,28 @@ void setPixelStore(const char* function, RTenum pname, RTint param) noexcept {
 /// To the nearest whole number, as OpenGL converts parameters; what is out of range names nothing.
 RTint rounded(RTfloat param) {
     return std::fabs(param) < 0x1p30f ? RTint(std::floor(param + 0.5f)) : -1;
+}
+
+/// The application's memory is read when the call is made, also for display lists.
+void texImage(const char* function, RTenum target, const TextureImageCall& call, RTenum format,
+              RTenum type, const void* pixels) noexcept {
+    TextureImagePtr image;
+    bool made = false;
+    guarded(function, [&](Context& c) {
+        const PixelStore& store = c.recorder().pixelStore();
+        checkTextureTarget(target, call.target);
+        image = makeTextureImage(call, {pixels, pixelOrderOf(format), texelTypeOf(type)}, store);
+        made = true;
+    });
+    if (made) recorded(function, [=](Context& c) { setTextureImage(c, call, image); });
+}
+
+void texSubImage(const char* function, RTenum target, const TexturePartCall& call, RTenum format,
+                 RTenum type, const void* pixels) noexcept {
+    guarded(function, [&](Context& c) {
+        checkTextureTarget(target, call.target);
+        replaceTexturePart(c, call, {pixels, pixelOrderOf(format), texelTypeOf(type)});
+    });
 }
 
 } // namespace
@@ -107,10 +111,9 @@ RTAPI void RTAPIENTRY rtDeleteTextures(RTsizei n, const RTuint* textures) {
 }
 
 RTAPI void RTAPIENTRY rtBindTexture(RTenum target, RTuint texture) {
-    guarded(__func__, [&](Context& c) {
+    recorded(__func__, [=](Context& c) {
         TextureStore& textures = c.recorder().textures();
-        checkTextureTarget(target);
-        textures.bind(texture);
+        textures.bind(texture, textureTargetOf(target));
     });
 }
 
@@ -123,56 +126,45 @@ RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture) {
 RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTsizei height, RTint border, RTenum format, RTenum type,
                                    const void* pixels) {
-    guarded(__func__, [&](Context& c) {
-        TextureStore& textures = c.recorder().textures();
-        checkTextureTarget(target);
-        const PixelOrder order = pixelOrderOf(format);
-        const TexelType texelType = texelTypeOf(type);
-        const InternalFormat internal = internalFormatOf(internalFormat);
-        checkLevel(level);
-        checkSizeOfLevel(level, width, height);
-        checkBorder(border);
-        if (width == 0 || height == 0) {
-            textures.setImage(uint32_t(level), nullptr, internalFormat);
-            return;
-        }
-        const ImageSource source{pixels, uint32_t(width), uint32_t(height), order, texelType};
-        textures.setImage(
-            uint32_t(level),
-            std::make_shared<const TextureImage>(
-                source.width, source.height, internal.channels, texelType, internal.srgb,
-                unpackImage(source, c.recorder().pixelStore(), internal.channels)),
-            internalFormat);
-    });
+    texImage(__func__, target, {level, internalFormat, width, height, border}, format, type,
+             pixels);
+}
+RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
+                                   RTint border, RTenum format, RTenum type, const void* pixels) {
+    texImage(__func__, target,
+             {level, internalFormat, width, 1, border, TextureTarget::OneDimensional}, format,
+             type, pixels);
 }
 
 RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
                                       RTsizei width, RTsizei height, RTenum format, RTenum type,
                                       const void* pixels) {
+    texSubImage(__func__, target, {level, xoffset, yoffset, width, height}, format, type, pixels);
+}
+RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTsizei width,
+                                      RTenum format, RTenum type, const void* pixels) {
+    texSubImage(__func__, target, {level, xoffset, 0, width, 1, TextureTarget::OneDimensional},
+                format, type, pixels);
+}
+
+RTAPI void RTAPIENTRY rtPrioritizeTextures(RTsizei n, const RTuint* textures,
+                                           const RTclampf* priorities) {
     guarded(__func__, [&](Context& c) {
-        TextureStore& textures = c.recorder().textures();
-        checkTextureTarget(target);
-        const PixelOrder order = pixelOrderOf(format);
-        const TexelType texelType = texelTypeOf(type);
-        checkLevel(level);
-        checkSize(width, height);
-        const TextureLevelInfo info = textures.info(uint32_t(level));
-        if (info.channels == 0)
-            throwError(ErrorCode::InvalidOperation, "the level has no image");
-        if (xoffset < 0 || yoffset < 0 || int64_t(xoffset) + width > info.width ||
-            int64_t(yoffset) + height > info.height)
-            throwError(ErrorCode::InvalidValue, "the part does not lie inside the image");
-        if (width == 0 || height == 0) return;
-        requirePointer(pixels, "pixels");
-        const ImageSource source{pixels, uint32_t(width), uint32_t(height), order, texelType};
-        const TextureImage part(source.width, source.height, info.channels, texelType,
-                                internalFormatOf(info.internalFormat).srgb,
-                                unpackImage(source, c.recorder().pixelStore(), info.channels));
-        textures.setImage(uint32_t(level),
-                          std::make_shared<const TextureImage>(
-                              textures.image(uint32_t(level))
-                                  ->withPart(uint32_t(xoffset), uint32_t(yoffset), part)),
-                          info.internalFormat);
+        c.recorder().requireOutsidePrimitive();
+        requireNames(n, textures);
+        if (n > 0) requirePointer(priorities, "priorities");
+    });
+}
+RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei n, const RTuint* textures,
+                                                 RTboolean* residences) {
+    return guardedOr<RTboolean>(RT_FALSE, __func__, [&](Context& c) -> RTboolean {
+        const TextureStore& store = c.recorder().textures();
+        requireNames(n, textures);
+        if (n > 0) requirePointer(residences, "residences");
+        for (RTsizei i = 0; i < n; ++i)
+            if (!store.exists(textures[i]))
+                throwError(ErrorCode::InvalidValue, "no texture has this name");
+        return RT_TRUE;
     });
 }
 

@@ -47,10 +47,14 @@ void withoutContext(const char* function) noexcept {
 }
 
 void refused(const char* function) noexcept {
-    guarded(function, [&](Context&) {
-        throwError(ErrorCode::InvalidOperation,
-                   std::string(function) + " is not part of this release");
+    guarded(function, [&](Context& c) {
+        c.recorder().requireOutsidePrimitive();
+        refuseOnce(c, function, std::string(function) + " is not part of this release");
     });
+}
+
+void refuseOnce(Context& context, const std::string& what, const std::string& text) {
+    if (context.isFirstRefusal(what)) throwError(ErrorCode::InvalidOperation, text);
 }
 
 void throwError(ErrorCode code, const std::string& text) {

@@ -19,12 +19,25 @@ void report(const char* function) noexcept;
 /// whose callback makes it keeps that as its error.
 void withoutContext(const char* function) noexcept;
 
-/// Records that a function of the interface is not part of this release.
+/// Throws InvalidOperation with the text the first time that it is called for `what`.
+void refuseOnce(Context& context, const std::string& what, const std::string& text);
+/// Records that a function of the interface is not part of this release, once for each function.
 void refused(const char* function) noexcept;
 
 [[noreturn]] void throwError(ErrorCode code, const std::string& text);
 /// Throws InvalidValue for nullptr.
 void requirePointer(const void* pointer, const char* name);
+
+/// Keeps a copy of the body in the list under compilation; whether the call is also to be made.
+template <class Body>
+bool keepIn(ListRecording& list, ListOp op, const char* function, uint64_t attribute,
+            const Body& body) noexcept {
+    try {
+        return list.call(op, {function, body, attribute});
+    } catch (...) {
+        return list.lose();
+    }
+}
 
 /// Runs body(context), unless no context is current.
 template <class Body>
@@ -38,7 +51,29 @@ void guarded(const char* function, Body&& body) noexcept {
     }
 }
 
-/// The same for calls with a result.
+/// For the calls that display lists record. The body holds all that it needs by value (also what
+/// the call's pointers point to), as a list runs it again later; `function` lives forever.
+template <class Body>
+void recordedAs(ListOp op, const char* function, uint64_t attribute, Body&& body) noexcept {
+    guarded(function, [&](Context& c) {
+        if (ListRecording* const list = c.lists().recording())
+            if (!keepIn(*list, op, function, attribute, body)) return;
+        body(c);
+    });
+}
+template <class Body>
+void recorded(const char* function, Body body) noexcept {
+    recordedAs(ListOp::Call, function, 0, body);
+}
+
+/// For calls that are legal between begin and end and set what vertices latch. `attribute`: which
+/// part of the current values; calls with the same key replace each other as a whole.
+template <class Body>
+void recordedAttribute(const char* function, uint64_t attribute, Body body) noexcept {
+    recordedAs(ListOp::Attribute, function, attribute, body);
+}
+
+/// The same as guarded() for calls with a result.
 template <class Result, class Body>
 Result guardedOr(Result failure, const char* function, Body&& body) noexcept {
     Context* const context = currentContext();

@@ -20,7 +20,8 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_LUMINANCE4:
     case RT_LUMINANCE8:
     case RT_LUMINANCE12:
-    case RT_LUMINANCE16: return {1, false};
+    case RT_LUMINANCE16:
+    case RT_COMPRESSED_LUMINANCE: return {1, false};
     case 2:
     case RT_LUMINANCE_ALPHA:
     case RT_LUMINANCE4_ALPHA4:
@@ -28,7 +29,8 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_LUMINANCE8_ALPHA8:
     case RT_LUMINANCE12_ALPHA4:
     case RT_LUMINANCE12_ALPHA12:
-    case RT_LUMINANCE16_ALPHA16: return {2, false};
+    case RT_LUMINANCE16_ALPHA16:
+    case RT_COMPRESSED_LUMINANCE_ALPHA: return {2, false};
     case 3:
     case RT_RGB:
     case RT_R3_G3_B2:
@@ -37,7 +39,8 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_RGB8:
     case RT_RGB10:
     case RT_RGB12:
-    case RT_RGB16: return {3, false};
+    case RT_RGB16:
+    case RT_COMPRESSED_RGB: return {3, false};
     case 4:
     case RT_RGBA:
     case RT_RGBA2:
@@ -46,7 +49,8 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_RGBA8:
     case RT_RGB10_A2:
     case RT_RGBA12:
-    case RT_RGBA16: return {4, false};
+    case RT_RGBA16:
+    case RT_COMPRESSED_RGBA: return {4, false};
     case RT_SRGB:
     case RT_SRGB8: return {3, true};
     case RT_SRGB_ALPHA:
@@ -56,21 +60,17 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_ALPHA8:
     case RT_ALPHA12:
     case RT_ALPHA16:
+    case RT_COMPRESSED_ALPHA: return {4, false, TexelFormat::Alpha};
     case RT_INTENSITY:
     case RT_INTENSITY4:
     case RT_INTENSITY8:
     case RT_INTENSITY12:
     case RT_INTENSITY16:
+    case RT_COMPRESSED_INTENSITY: return {4, false, TexelFormat::Intensity};
     case RT_DEPTH_COMPONENT:
     case RT_DEPTH_COMPONENT16:
     case RT_DEPTH_COMPONENT24:
-    case RT_DEPTH_COMPONENT32:
-    case RT_COMPRESSED_ALPHA:
-    case RT_COMPRESSED_LUMINANCE:
-    case RT_COMPRESSED_LUMINANCE_ALPHA:
-    case RT_COMPRESSED_INTENSITY:
-    case RT_COMPRESSED_RGB:
-    case RT_COMPRESSED_RGBA: notInRelease("this internal format");
+    case RT_DEPTH_COMPONENT32: notInRelease("this internal format");
     default: throwError(ErrorCode::InvalidValue, "unknown internal format");
     }
 }
@@ -83,13 +83,13 @@ PixelOrder pixelOrderOf(RTenum format) {
     case RT_RGBA: return PixelOrder::Rgba;
     case RT_BGR: return PixelOrder::Bgr;
     case RT_BGRA: return PixelOrder::Bgra;
+    case RT_RED: return PixelOrder::Red;
+    case RT_GREEN: return PixelOrder::Green;
+    case RT_BLUE: return PixelOrder::Blue;
+    case RT_ALPHA: return PixelOrder::Alpha;
     case RT_COLOR_INDEX:
     case RT_STENCIL_INDEX:
-    case RT_DEPTH_COMPONENT:
-    case RT_RED:
-    case RT_GREEN:
-    case RT_BLUE:
-    case RT_ALPHA: notInRelease("this pixel format");
+    case RT_DEPTH_COMPONENT: notInRelease("this pixel format");
     default: throwError(ErrorCode::InvalidEnum, "unknown pixel format");
     }
 }
@@ -175,10 +175,10 @@ RTenum tokenOf(const MinificationFilter& filter) {
     return linear ? RT_LINEAR_MIPMAP_LINEAR : RT_NEAREST_MIPMAP_LINEAR;
 }
 
-void checkTextureTarget(RTenum target) {
+TextureTarget textureTargetOf(RTenum target) {
     switch (target) {
-    case RT_TEXTURE_2D: return;
-    case RT_TEXTURE_1D:
+    case RT_TEXTURE_1D: return TextureTarget::OneDimensional;
+    case RT_TEXTURE_2D: return TextureTarget::TwoDimensional;
     case RT_TEXTURE_3D:
     case RT_PROXY_TEXTURE_1D:
     case RT_PROXY_TEXTURE_2D:
@@ -193,6 +193,11 @@ void checkTextureTarget(RTenum target) {
     case RT_PROXY_TEXTURE_CUBE_MAP: notInRelease("this texture target");
     default: throwError(ErrorCode::InvalidEnum, "unknown texture target");
     }
+}
+
+void checkTextureTarget(RTenum target, TextureTarget wanted) {
+    if (textureTargetOf(target) != wanted)
+        throwError(ErrorCode::InvalidEnum, "a target of another number of dimensions");
 }
 
 } // namespace smart::compat

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compat/recorder/pixel_unpack.h"
+#include "compat/recorder/texture_store.h"
 #include "libsmart/shading/texture.h"
 #include "openrt/types.h"
 
@@ -11,6 +12,7 @@ namespace smart::compat {
 struct InternalFormat {
     uint32_t channels;
     bool srgb;
+    TexelFormat format = TexelFormat::ByChannels;
 };
 InternalFormat internalFormatOf(RTint format);
 PixelOrder pixelOrderOf(RTenum format);
@@ -21,7 +23,9 @@ RTenum tokenOf(TextureWrap wrap);
 TextureFilter magFilterOf(RTint filter);
 MinificationFilter minFilterOf(RTint filter);
 RTenum tokenOf(const MinificationFilter& filter);
-/// Throws unless it is RT_TEXTURE_2D.
-void checkTextureTarget(RTenum target);
+/// Of RT_TEXTURE_1D and RT_TEXTURE_2D.
+TextureTarget textureTargetOf(RTenum target);
+/// Throws unless it is the target with so many dimensions.
+void checkTextureTarget(RTenum target, TextureTarget wanted = TextureTarget::TwoDimensional);
 
 } // namespace smart::compat

@@ -6,8 +6,13 @@
 #include <initializer_list>
 #include <optional>
 
+#include "compat/openrt/array_names.h"
+#include "compat/openrt/capabilities.h"
+#include "compat/openrt/fixed_values.h"
 #include "compat/openrt/guard.h"
+#include "compat/openrt/pixel_values.h"
 #include "compat/openrt/tokens.h"
+#include "compat/openrt/window_values.h"
 #include "libsmart/kernel/packet.h"
 
 namespace smart::compat {
@@ -15,21 +20,14 @@ namespace smart::compat {
 namespace {
 
 StateValue list(std::initializer_list<double> numbers) {
-    StateValue value;
-    value.count = int(numbers.size());
-    std::copy(numbers.begin(), numbers.end(), value.values);
-    return value;
+    return StateValue::list(numbers);
 }
 StateValue number(double n) {
-    return list({n});
+    return StateValue::number(n);
 }
 template <class Vector>
 StateValue vector(const Vector& v, bool normalised) {
-    StateValue value;
-    value.count = v.length();
-    for (int k = 0; k < value.count; ++k) value.values[k] = v[k];
-    value.normalised = normalised;
-    return value;
+    return StateValue::vector(v, normalised);
 }
 StateValue matrix(const glm::dmat4& m) {
     StateValue value;
@@ -90,19 +88,16 @@ std::optional<StateValue> frameValue(Context& context, RTenum name) {
 
 std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
     const Attributes& attributes = recorder.attributes();
-    const PixelStore& store = recorder.pixelStore();
     const BuildHints& hints = recorder.buildHints();
     switch (name) {
     case RT_CURRENT_COLOR: return vector(attributes.color, true);
     case RT_CURRENT_NORMAL: return vector(attributes.normal, true);
     case RT_CURRENT_TEXTURE_COORDS: return vector(attributes.texCoord, false);
-    case RT_TEXTURE_BINDING_2D: return number(recorder.textures().bound());
+    case RT_TEXTURE_BINDING_1D:
+        return number(recorder.textures().bound(TextureTarget::OneDimensional));
+    case RT_TEXTURE_BINDING_2D:
+        return number(recorder.textures().bound(TextureTarget::TwoDimensional));
     case RT_MAX_TEXTURE_SIZE: return number(TextureStore::kMaxSize);
-    case RT_UNPACK_ALIGNMENT: return number(store.alignment);
-    case RT_UNPACK_ROW_LENGTH: return number(store.rowLength);
-    case RT_UNPACK_SKIP_PIXELS: return number(store.skipPixels);
-    case RT_UNPACK_SKIP_ROWS: return number(store.skipRows);
-    case RT_UNPACK_SWAP_BYTES: return number(store.swapBytes);
     case RT_SHADER_BINDING: return number(recorder.shaders().bound().id);
     case RT_SHADER_CLASS_BINDING: return number(recorder.shaders().boundClass());
     case RT_MAX_OBJECT_DEPTH: return number(kMaxLevels);
@@ -145,6 +140,20 @@ std::optional<StateValue> statistic(Context& context, RTenum name) {
     }
 }
 
+std::optional<StateValue> listValue(DisplayLists& lists, RTenum name) {
+    const ListRecording* const recording = lists.recording();
+    switch (name) {
+    case RT_LIST_BASE: return number(lists.base());
+    case RT_LIST_INDEX: return number(recording ? recording->name() : 0);
+    case RT_LIST_MODE:
+        return number(!recording              ? 0
+                      : recording->executes() ? RT_COMPILE_AND_EXECUTE
+                                              : RT_COMPILE);
+    case RT_MAX_LIST_NESTING: return number(DisplayLists::kMaxNesting);
+    default: return std::nullopt;
+    }
+}
+
 } // namespace
 
 StateValue stateValue(Context& context, RTenum name) {
@@ -152,8 +161,14 @@ StateValue stateValue(Context& context, RTenum name) {
     recorder.requireOutsidePrimitive();
     if (const auto value = matrixValue(recorder, name)) return *value;
     if (const auto value = frameValue(context, name)) return *value;
+    if (const auto value = windowValue(recorder, name)) return *value;
+    if (const auto value = pixelValue(recorder, name)) return *value;
     if (const auto value = recorderValue(recorder, name)) return *value;
+    if (const auto value = fixedStateValue(context, name)) return *value;
+    if (const auto value = listValue(context.lists(), name)) return *value;
+    if (const auto value = arrayStateValue(context.arrays(), name)) return *value;
     if (const auto value = statistic(context, name)) return *value;
+    if (isCapability(name)) return number(isEnabled(context, name));
     if (isStateVariable(name))
         throwError(ErrorCode::InvalidOperation, "this value is not part of this release");
     throwError(ErrorCode::InvalidEnum, "no such value");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <type_traits>
 
@@ -18,6 +20,23 @@ struct StateValue {
     int count = 1;
     double values[16] = {}; ///< whole numbers are exact: none reaches 2^53
     bool normalised = false; ///< as integers, -1..1 maps to the whole range
+
+    static StateValue list(std::initializer_list<double> numbers) {
+        StateValue value;
+        value.count = int(numbers.size());
+        std::copy(numbers.begin(), numbers.end(), value.values);
+        return value;
+    }
+    static StateValue number(double n) { return list({n}); }
+    /// Of GLM's.
+    template <class Vector>
+    static StateValue vector(const Vector& v, bool normalised) {
+        StateValue value;
+        value.count = v.length();
+        for (int k = 0; k < value.count; ++k) value.values[k] = double(v[k]);
+        value.normalised = normalised;
+        return value;
+    }
 
     template <class T>
     T as(int i) const {

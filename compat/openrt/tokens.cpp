@@ -36,11 +36,10 @@ Primitive primitiveOf(RTenum mode) {
     case RT_QUADS: return Primitive::Quads;
     case RT_QUAD_STRIP: return Primitive::QuadStrip;
     case RT_POLYGON: return Primitive::Polygon;
-    case RT_POINTS:
-    case RT_LINES:
-    case RT_LINE_LOOP:
-    case RT_LINE_STRIP:
-        throwError(ErrorCode::InvalidOperation, "points and lines are not part of this release");
+    case RT_POINTS: return Primitive::Points;
+    case RT_LINES: return Primitive::Lines;
+    case RT_LINE_STRIP: return Primitive::LineStrip;
+    case RT_LINE_LOOP: return Primitive::LineLoop;
     default: throwError(ErrorCode::InvalidEnum, "unknown kind of primitive");
     }
 }

@@ -3,6 +3,9 @@
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
+
+#include "libsmart/shading/fixed_state.h"
 
 namespace smart::compat {
 
@@ -11,11 +14,15 @@ struct Attributes {
     glm::vec4 color{1.0f};
     glm::vec3 normal{0.0f, 0.0f, 1.0f};
     glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
+    std::shared_ptr<const FixedMaterials> materials; ///< nullptr: OpenGL's initial ones
+    glm::vec4 secondaryColor{0.0f, 0.0f, 0.0f, 1.0f};
+    float fogCoordinate = 0.0f;
+    bool edgeFlag = true;
 };
 
 /// Which of them geometry sets on its own; the others come from its instance.
 struct AttributesGiven {
-    bool color = false, normal = false, texCoord = false;
+    bool color = false, normal = false, texCoord = false, materials = false;
 };
 
 } // namespace smart::compat

@@ -3,10 +3,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
+#include <string>
 
+#include "compat/recorder/attrib_stack.h"
+#include "compat/recorder/buffer_store.h"
+#include "compat/recorder/display_lists.h"
 #include "compat/recorder/error_state.h"
 #include "compat/recorder/frame_driver.h"
 #include "compat/recorder/recorder.h"
+#include "compat/recorder/vertex_arrays.h"
 
 namespace smart::compat {
 
@@ -18,9 +24,22 @@ public:
     Recorder& recorder() { return recorder_; }
     FrameDriver& frames() { return frames_; }
     ErrorState& errors() { return errors_; }
+    DisplayLists& lists() { return lists_; }
+    AttribStack& attribStack() { return attribStack_; }
+    ClientAttribStack& clientAttribStack() { return clientAttribStack_; }
+    VertexArrays& arrays() { return arrays_; }
+    BufferStore& buffers() { return buffers_; }
+    /// Whether something is refused for the first time here. Throws std::bad_alloc.
+    bool isFirstRefusal(const std::string& what) { return refused_.insert(what).second; }
 
 private:
     ErrorState errors_;
+    std::set<std::string> refused_;
+    AttribStack attribStack_;
+    ClientAttribStack clientAttribStack_;
+    DisplayLists lists_;
+    VertexArrays arrays_;
+    BufferStore buffers_;
     Recorder recorder_;
     FrameDriver frames_; // last: its end waits for frames that show what the recorder made
 };

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
+#include "compat/recorder/picture.h"
 #include "compat/recorder/recorder.h"
 #include "libsmart/render/renderer.h"
 
@@ -23,6 +25,9 @@ public:
     /// Renders what was given so far, unless nothing was since the last time, and waits for all
     /// frames.
     void finish();
+    /// What finish() leaves, to be read until the next frame is started. Without a frame buffer of
+    /// the application's the library's own serves. `depth`: with window depth.
+    Picture finishedPicture(bool depth);
     /// Like start(), any number of times; the frame's id. Waits while the queue is full.
     uint32_t queue();
     /// A frame was waited for: from now on the statistics are its own.
@@ -45,12 +50,22 @@ public:
 
 private:
     /// `id`: where the frame's goes; without it there need be none.
-    QueuedFramePtr submit(uint32_t* id = nullptr);
+    QueuedFramePtr submit(const PixelTarget& target, uint32_t* id = nullptr);
+    /// Where frames go: the application's memory, or for readers the library's own.
+    const PixelTarget& applicationTarget() const;
+    PixelTarget ownTarget();
+    /// With the library's own depth buffer, from when it was first asked for.
+    PixelTarget withDepth(PixelTarget target);
 
     Recorder& recorder_;
     Renderer renderer_;
     std::shared_ptr<FrameListener> listener_;
     QueuedFramePtr inFlight_;
+    // Memory of the library's own, which frames keep alive.
+    std::shared_ptr<std::vector<uint32_t>> ownPixels_;
+    std::shared_ptr<std::vector<float>> ownDepth_;
+    bool keepsDepth_ = false;
+    PixelTarget last_; ///< of the frame started last
     SceneStatistics sceneStatistics_;
     RenderStatistics frameStatistics_;
 };

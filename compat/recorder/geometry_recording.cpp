@@ -2,10 +2,12 @@
 #include "compat/recorder/geometry_recording.h"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <span>
 #include <utility>
 
+#include "compat/recorder/fixed_state_recorder.h"
 #include "libsmart/shading/shader_class.h"
 
 namespace smart::compat {
@@ -13,12 +15,22 @@ namespace smart::compat {
 namespace {
 
 constexpr uint32_t kNone = ShadingData::kNone;
+constexpr unsigned kClosingEdge = 4; ///< bit of the edge from a triangle's last corner to its first
 
 /// Room for n more elements, so that appending them can not fail.
 template <class T>
 void makeRoom(std::vector<T>& vector, std::size_t n) {
     if (vector.capacity() - vector.size() >= n) return;
     vector.reserve(std::max(vector.size() + n, 2 * vector.capacity()));
+}
+
+/// See ShadingData::provoking. Only of a quad's first triangle the provoking vertex is no corner;
+/// it is the last one of the second.
+uint8_t provokingCode(const AssembledTriangle& triangle) {
+    const auto* const end = std::end(triangle.corners);
+    const auto* const found = std::find(std::begin(triangle.corners), end, triangle.provoking);
+    return found == end ? uint8_t(ShadingData::kOfNext + ShadingData::kLastCorner)
+                        : uint8_t(found - std::begin(triangle.corners));
 }
 
 /// Room for the list to be as long as `count` and n more.
@@ -50,7 +62,7 @@ void store(float (&out)[3], const glm::vec3& v) {
 
 } // namespace
 
-void GeometryRecording::reserveVertex(const BoundShader& shader) {
+void GeometryRecording::reserveVertex(const Attributes& attributes, const BoundShader& shader) {
     constexpr std::size_t kTriangles = PrimitiveAssembler::kMaxTriangles;
     ShadingData& shading = builder_.shading;
     const std::size_t triangles = builder_.triangles.size();
@@ -59,9 +71,21 @@ void GeometryRecording::reserveVertex(const BoundShader& shader) {
     if (given.normal) makeRoom(shading.normals, 1);
     if (given.texCoord) makeRoom(shading.texCoords, 1);
     if (given.color) makeRoom(shading.colors, 1);
+    if (given.materials) {
+        makeRoom(shading.vertexMaterials, 1);
+        makeRoom(shading.materials, 1);
+    }
     makeRoom(builder_.triangles, kTriangles);
+    if (!attributes.edgeFlag || !assembler_.lastCornerProvokes() || !shading.boundary.empty())
+        makeRoomFrom(shading.boundary, triangles, kTriangles);
     makeRoom(shading.corners, kTriangles);
     makeRoom(shading.slots, kTriangles);
+    if (!assembler_.lastCornerProvokes() || !shading.provoking.empty())
+        makeRoomFrom(shading.provoking, triangles, kTriangles);
+    if (!isFilled(assembler_.primitive())) {
+        makeRoom(builder_.pixels.runs, 1);
+        makeRoom(builder_.pixels.positions, 1);
+    }
     makeRoom(shading.shaders, 1);
     makeRoom(shading.keepAlive, 1);
     makeRoom(usedShaders_, 1);
@@ -90,6 +114,21 @@ uint32_t GeometryRecording::slotOf(const BoundShader& shader) noexcept {
     return lastSlot_;
 }
 
+uint32_t GeometryRecording::materialsNumber(
+    const std::shared_ptr<const FixedMaterials>& materials) noexcept {
+    // Programs go back and forth between few materials: the last ones are looked through.
+    constexpr std::size_t kLookedAt = 8;
+    const std::shared_ptr<const FixedMaterials>& wanted =
+        materials ? materials : initialMaterials();
+    auto& list = builder_.shading.materials;
+    for (std::size_t back = 1; back <= std::min(list.size(), kLookedAt); ++back) {
+        const auto& known = list[list.size() - back];
+        if (known == wanted || *known == *wanted) return uint32_t(list.size() - back);
+    }
+    list.push_back(wanted);
+    return uint32_t(list.size() - 1);
+}
+
 void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
                                     const BoundShader& shader) noexcept {
     ShadingData& shading = builder_.shading;
@@ -100,6 +139,16 @@ void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
     store(out.v2, positions_[corners[2]]);
     shading.corners.push_back({corners[0], corners[1], corners[2]});
     shading.slots.push_back(slotOf(shader));
+    const uint8_t provoking = provokingCode(triangle);
+    if (provoking != ShadingData::kLastCorner || !shading.provoking.empty()) {
+        shading.provoking.resize(builder_.triangles.size() - 1, ShadingData::kLastCorner);
+        shading.provoking.push_back(provoking);
+    }
+    if (triangle.boundary != ShadingData::kAllEdges || !shading.boundary.empty()) {
+        shading.boundary.resize(builder_.triangles.size() - 1, ShadingData::kAllEdges);
+        if (triangle.extendsPolygon) shading.boundary.back() &= uint8_t(~kClosingEdge);
+        shading.boundary.push_back(triangle.boundary);
+    }
 
     if (!shader.triangleBlock.empty()) {
         shading.triangleBlocks.resize(builder_.triangles.size() - 1, kNone);
@@ -114,7 +163,7 @@ void GeometryRecording::addTriangle(const AssembledTriangle& triangle,
 
 void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attributes,
                                const glm::vec3& normal, const BoundShader& shader) {
-    reserveVertex(shader);
+    reserveVertex(attributes, shader);
     ShadingData& shading = builder_.shading;
     const auto latch = [&](bool isGiven, uint32_t& first, auto& values, const auto& value) {
         if (!isGiven) return;
@@ -124,6 +173,9 @@ void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attr
     latch(given.normal, shading.firstNormal, shading.normals, normal);
     latch(given.texCoord, shading.firstTexCoord, shading.texCoords, attributes.texCoord);
     latch(given.color, shading.firstColor, shading.colors, attributes.color);
+    if (given.materials)
+        latch(true, shading.firstMaterial, shading.vertexMaterials,
+              materialsNumber(attributes.materials));
     if (!shader.vertexBlock.empty()) {
         shading.vertexBlocks.resize(vertexCount_, kNone);
         if (lastVertexBlock_.stamp != shader.vertexStamp)
@@ -134,9 +186,45 @@ void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attr
     }
     positions_.push_back(position);
 
+    if (!isFilled(assembler_.primitive())) addPixelVertex(position);
     AssembledTriangle triangles[PrimitiveAssembler::kMaxTriangles];
-    const int count = assembler_.add(vertexCount_++, triangles);
+    const int count = assembler_.add(vertexCount_++, triangles, attributes.edgeFlag);
     for (int i = 0; i < count; ++i) addTriangle(triangles[i], shader);
+}
+
+// Points and separate lines go on with the run before where its last line is whole.
+void GeometryRecording::addPixelVertex(const glm::vec3& position) noexcept {
+    PixelGeometry& pixels = builder_.pixels;
+    const auto kind = [this] {
+        switch (assembler_.primitive()) {
+        case Primitive::Lines: return PixelRun::Kind::Lines;
+        case Primitive::LineStrip: return PixelRun::Kind::LineStrip;
+        case Primitive::LineLoop: return PixelRun::Kind::LineLoop;
+        default: return PixelRun::Kind::Points;
+        }
+    }();
+    if (!continuesRun_ && !pixels.runs.empty()) {
+        const PixelRun& last = pixels.runs.back();
+        const bool wholes = kind == PixelRun::Kind::Points ||
+                            (kind == PixelRun::Kind::Lines && last.count % 2 == 0);
+        continuesRun_ = wholes && last.kind == kind && last.beforeTriangle == triangleCount() &&
+                        last.firstVertex + last.count == vertexCount_;
+    }
+    if (!continuesRun_)
+        pixels.runs.push_back({kind, triangleCount(), uint32_t(pixels.positions.size()), 0,
+                               vertexCount_});
+    continuesRun_ = true;
+    ++pixels.runs.back().count;
+    pixels.positions.push_back(position);
+}
+
+void GeometryRecording::addImage(std::shared_ptr<const WindowImage> image) {
+    PixelGeometry& pixels = builder_.pixels;
+    makeRoom(pixels.runs, 1);
+    makeRoom(pixels.images, 1);
+    pixels.runs.push_back({PixelRun::Kind::Image, triangleCount(), uint32_t(pixels.images.size()),
+                           1, 0});
+    pixels.images.push_back(std::move(image));
 }
 
 void GeometryRecording::addChild(Instance child, uint32_t childLevels,
@@ -154,7 +242,8 @@ ModelPtr GeometryRecording::compile(const KdBuildOptions& options) {
     std::vector<std::array<uint32_t, 3>> corners;
     std::vector<uint32_t> slots;
     const bool perVertex = shading.firstNormal != kNone || shading.firstTexCoord != kNone ||
-                           shading.firstColor != kNone || !shading.vertexBlocks.empty();
+                           shading.firstColor != kNone || shading.firstMaterial != kNone ||
+                           !shading.vertexBlocks.empty();
     if (!perVertex) corners.swap(shading.corners);
     if (shading.shaders.size() <= 1) slots.swap(shading.slots);
     ModelPtr model;

@@ -16,9 +16,10 @@ ModelPtr ModelCompiler::compile(GeometryRecording& recording) {
     return CountedPlace<const Model>::put(std::move(place), std::move(model), bytes);
 }
 
-ScenePtr ModelCompiler::makeScene(std::vector<Instance> instances, Precision precision) {
+ScenePtr ModelCompiler::makeScene(std::vector<Instance> instances, Precision precision,
+                                  bool lastOfEqual) {
     auto place = std::make_shared<CountedPlace<const Scene>>(memory_);
-    ScenePtr scene = std::make_shared<const Scene>(std::move(instances), precision, threads_);
+    ScenePtr scene = std::make_shared<const Scene>(std::move(instances), precision, threads_, lastOfEqual);
     buildSeconds_ += scene->buildSeconds();
     const std::size_t bytes = scene->group().bytes();
     return CountedPlace<const Scene>::put(std::move(place), std::move(scene), bytes);

@@ -14,7 +14,9 @@ namespace smart::compat {
 class ModelCompiler {
 public:
     ModelPtr compile(GeometryRecording& recording);
-    ScenePtr makeScene(std::vector<Instance> instances, Precision precision);
+    /// lastOfEqual: as Scene has it.
+    ScenePtr makeScene(std::vector<Instance> instances, Precision precision,
+                       bool lastOfEqual = false);
 
     void setThreads(unsigned threads) { threads_ = threads; }
     uint64_t modelsBuilt() const { return modelsBuilt_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,14 +10,19 @@
 #include <vector>
 
 #include "compat/recorder/attributes.h"
+#include "compat/recorder/compiled_run.h"
+#include "compat/recorder/fixed_state_recorder.h"
 #include "compat/recorder/frame_settings.h"
 #include "compat/recorder/geometry_recording.h"
+#include "compat/recorder/idle_state.h"
 #include "compat/recorder/matrix_stack.h"
 #include "compat/recorder/model_compiler.h"
+#include "compat/recorder/pixel_drawing.h"
 #include "compat/recorder/pixel_unpack.h"
 #include "compat/recorder/scene_store.h"
 #include "compat/recorder/shader_catalog.h"
 #include "compat/recorder/texture_store.h"
+#include "libsmart/render/window_image.h"
 
 namespace smart::compat {
 
@@ -44,15 +50,42 @@ public:
     void color(const glm::vec4& color);
     void normal(const glm::vec3& normal);
     void texCoord(const glm::vec4& texCoord);
+    /// The materials of both sides; legal everywhere.
+    void setMaterials(FixedMaterials materials);
+    /// As they are now: what follows the current colour is brought up to date.
+    FixedMaterials materials() const;
+    void setEdgeFlag(bool flag) { attributes_.edgeFlag = flag; }
+    void setSecondaryColor(const glm::vec4& color) { attributes_.secondaryColor = color; }
+    void setFogCoordinate(float coordinate) { attributes_.fogCoordinate = coordinate; }
     const Attributes& attributes() const { return attributes_; }
+
+    // The raster position, and what is drawn there; not in objects. Images of no size are none.
+    void setRasterPosition(const glm::dvec4& position);
+    /// In the window; z from 0, the near plane, to 1.
+    void setWindowPosition(const glm::dvec3& position);
+    /// `bitmap` nullptr: moves the raster position only.
+    void drawBitmap(std::shared_ptr<const ImagePixels> bitmap, const glm::dvec2& origin,
+                    const glm::dvec2& move);
+    void drawPixels(std::shared_ptr<const ImagePixels> pixels);
+    PixelDrawing& pixelDrawing() { return requireOutsideObject(), pixelDrawing_; }
+    const PixelDrawing& pixelDrawingNow() const { return pixelDrawing_; }
 
     // State; outside primitives.
     Matrices& matrices() { return requireOutsidePrimitive(), matrices_; }
     ShaderCatalog& shaders() { return requireOutsidePrimitive(), shaders_; }
     TextureStore& textures() { return requireOutsidePrimitive(), textures_; }
     PixelStore& pixelStore() { return requireOutsidePrimitive(), pixelStore_; }
+    /// Of pixels that are read back.
+    PixelStore& packStore() { return requireOutsidePrimitive(), packStore_; }
     BuildHints& buildHints() { return requireOutsidePrimitive(), buildHints_; }
     FrameSettings& frameSettings() { return requireOutsidePrimitive(), frameSettings_; }
+    /// To be changed.
+    FixedStateRecorder& fixedState() { return requireOutsideObject(), fixedState_; }
+    const FixedState& fixedStateNow() const { return fixedState_.state(); }
+    IdleState& idleState() { return requireOutsideObject(), idleState_; }
+    const IdleState& idleStateNow() const { return idleState_; }
+    /// As before a push of attributes.
+    void restoreAttributes(const Attributes& attributes);
     const ModelCompiler& compiler() const { return compiler_; }
     void setBuildThreads(unsigned threads) { compiler_.setThreads(threads); }
     /// Legal everywhere.
@@ -72,6 +105,15 @@ public:
     /// Ids of the shaders of an object in order of first use.
     const std::vector<UsedShader>& objectShaders(uint32_t id) const;
 
+    // Runs of primitives of display lists, each an object without an id.
+    /// Whether runs can be placed here and now; else their calls are to be made one by one.
+    bool canPlaceRuns() const;
+    /// Makes the calls as in an object, of which only the model is left. What a call throws comes
+    /// through.
+    CompiledRun compileRun(const std::function<void()>& calls);
+    /// One that fits the bound shader, where runs can be placed.
+    void placeRun(const CompiledRun& run);
+
     // Scenes. What follows acts on the bound one, as everything that adds to a frame does.
     uint32_t newScene();
     void bindScene(uint32_t id);
@@ -81,12 +123,18 @@ public:
     // The frame under way.
     void useLight(uint32_t shader, bool checkTwice);
     void useUnique(UniqueShader what, uint32_t shader);
+    /// Clears what the masks of colour and depth, and the scissor, leave to be cleared.
+    void clear(bool color, bool depth);
     /// The scene so far, which stays open.
     ScenePtr compileScene();
     /// Everything described so far as a frame; the scene stays open.
-    std::shared_ptr<Frame> makeFrame();
+    std::shared_ptr<Frame> makeFrame() { return makeFrame(frameSettings_.target); }
+    /// The same into other memory.
+    std::shared_ptr<Frame> makeFrame(const PixelTarget& target);
     /// Starts a new, empty scene.
     void clearScene() noexcept { scene() = SceneRecording(); }
+    /// Whether nothing was added to it.
+    bool sceneIsEmpty() const { return scenes_.bound().additions == 0; }
     /// Whether something was added since sceneIsFinished().
     bool sceneHasNews() const {
         return scenes_.bound().additions != scenes_.bound().finishedAdditions;
@@ -108,6 +156,8 @@ private:
     SceneRecording& scene() { return scenes_.bound(); }
     const Object& object(uint32_t id) const;
     void openObject(uint32_t id, ObjectMode mode);
+    /// Back to what the object under definition found.
+    void closeObject() noexcept;
     /// `shaders`: those that the instance uses in the end.
     void place(uint32_t id, std::shared_ptr<const ShaderReplacement> replacement,
                const std::vector<UsedShader>& shaders);
@@ -119,8 +169,34 @@ private:
     std::shared_ptr<Shader> shaderOfKind(uint32_t id, RTenum kind, const char* kindName) const;
     /// The loose run under way as an instance; the run stays open. Nothing without triangles.
     std::optional<Instance> looseInstance();
+    /// Makes the loose run, if there is one, an instance.
+    void endLooseRun();
     std::vector<Instance> allInstances();
     void resumeLooseRun() noexcept;
+
+    /// The state that instances placed now have, or loose geometry begun now.
+    FixedStatePtr instanceState(const Matrices& matrices);
+    FixedStatePtr looseState();
+    FixedStateSources stateSources(const Matrices& matrices, const glm::dmat4& objectToEye);
+    void beginLoose(Primitive primitive);
+    /// Ends the loose run if it has another state than what comes now.
+    void openLooseRun();
+    LayerView currentView() const;
+    Viewport scissorNow() const;
+    /// What is added next belongs to the layer that is seen as the state says now.
+    void enterLayer();
+    void endLayer();
+    /// Whether the layer under way has primitives.
+    bool hasContent() const;
+    void freezeShaders(Frame& frame);
+    /// A layer without scene, with the shaders of `common`.
+    std::shared_ptr<Frame> makeLayer(const Frame& common, const PixelTarget& target,
+                                     const LayerView& view) const;
+    /// For normals of loose geometry, which is kept in eye space.
+    glm::dmat3 looseNormalMatrix() const;
+    Viewport viewportNow() const;
+    /// At the raster position, which is valid.
+    void addImage(WindowImage image);
 
     bool insidePrimitive_ = false;
     Attributes attributes_;
@@ -128,9 +204,12 @@ private:
     Matrices matrices_;
     ShaderCatalog shaders_;
     TextureStore textures_;
-    PixelStore pixelStore_;
+    PixelStore pixelStore_, packStore_;
     BuildHints buildHints_;
     FrameSettings frameSettings_;
+    FixedStateRecorder fixedState_;
+    IdleState idleState_;
+    PixelDrawing pixelDrawing_;
     ModelCompiler compiler_;
 
     std::map<uint32_t, Object> objects_;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Scenes and the frame under way: what it uses, and how it is frozen.
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "compat/recorder/recorder.h"
 #include "compat/recorder/transforms.h"
 #include "libsmart/base/error.h"
+#include "libsmart/shading/fixed_frame_light.h"
+#include "libsmart/render/pixel_primitives.h"
 
 namespace smart::compat {
 
@@ -54,6 +58,7 @@ void Recorder::resumeLooseRun() noexcept {
     given.color |= attributes_.color != scene().looseInherited.color;
     given.normal |= normalEverGiven_;
     given.texCoord |= attributes_.texCoord != scene().looseInherited.texCoord;
+    given.materials |= attributes_.materials != scene().looseInherited.materials;
 }
 
 std::shared_ptr<Shader> Recorder::shaderOfKind(uint32_t id, RTenum kind,
@@ -94,44 +99,93 @@ void Recorder::useUnique(UniqueShader what, uint32_t id) {
     ++scene().additions;
 }
 
+// Queries see the instances of all layers, whatever their cameras.
 ScenePtr Recorder::compileScene() {
     requireOutsidePrimitive();
-    return compiler_.makeScene(allInstances(), frameSettings_.precision);
+    std::vector<Instance> all;
+    for (const FinishedLayer& layer : scene().below)
+        all.insert(all.end(), layer.instances.begin(), layer.instances.end());
+    std::vector<Instance> last = allInstances();
+    std::move(last.begin(), last.end(), std::back_inserter(all));
+    return compiler_.makeScene(std::move(all), frameSettings_.precision);
 }
 
-std::shared_ptr<Frame> Recorder::makeFrame() {
+std::shared_ptr<Frame> Recorder::makeFrame(const PixelTarget& target) {
     requireOutsideObject();
-    const FrameSettings& settings = frameSettings_;
-    checkTarget(settings.target);
-    const auto frame = std::make_shared<Frame>();
-    frame->matrixCamera.projection = matrices_.projection();
-    if (!scene().camera && !invert(matrices_.projection(), frame->matrixCamera.inverse))
-        refuse("the projection matrix has no inverse, and there is no camera shader");
+    checkTarget(target);
+    Frame common; // of all layers
+    freezeShaders(common);
+    std::vector<std::shared_ptr<Frame>> layers;
+    const auto add = [&](const LayerView& view, std::vector<Instance> instances,
+                         const std::vector<BufferClear>& clears) {
+        layers.push_back(makeLayer(common, target, view));
+        layers.back()->clears = clears;
+        const bool last = takesLastOfEqual(instances);
+        layers.back()->scene =
+            compiler_.makeScene(std::move(instances), frameSettings_.precision, last);
+    };
+    for (const FinishedLayer& layer : scene().below)
+        add(layer.view, layer.instances, layer.clears);
+    if (layers.empty() || hasContent() || !scene().clears.empty())
+        add(hasContent() ? *scene().view : currentView(), allInstances(), scene().clears);
 
-    frame->shaders = shaders_.freeze();
-    frame->textures = textures_.freeze();
+    const std::shared_ptr<Frame> top = layers.back();
+    top->clearColor = frameSettings_.clearColor;
+    startFrom(layers.front()->clears, target, *top);
+    uint32_t instances = 0;
+    for (const std::shared_ptr<Frame>& layer : layers) {
+        layer->clearColor = top->clearColor;
+        layer->firstInstance = instances;
+        instances += uint32_t(layer->scene->group().instances().size());
+        layer->primitives = PixelPrimitives::make(*layer);
+    }
+    top->below.assign(layers.begin(), layers.end() - 1);
+    return top;
+}
+
+void Recorder::freezeShaders(Frame& frame) {
+    frame.shaders = shaders_.freeze();
+    frame.textures = textures_.freeze();
     const auto frozen = [&](const std::shared_ptr<Shader>& shader) {
-        const auto object = shader ? frame->shaders->at(shader->index()) : nullptr;
+        const auto object = shader ? frame.shaders->at(shader->index()) : nullptr;
         if (shader && !object)
             refuse("the constructor of shader class '" + shader->shaderClass()->name() +
                    "' failed");
         return object;
     };
-    for (const auto& light : scene().lights) frame->lights.push_back(frozen(light));
-    frame->environment = frozen(scene().environment);
-    frame->camera = frozen(scene().camera);
-    frame->renderingObject = frozen(scene().renderingObject);
+    for (const auto& light : scene().lights) frame.lights.push_back(frozen(light));
+    for (const FixedLight& light : fixedState_.state().lighting.lights)
+        if (light.enabled) frame.lights.push_back(makeFrameLight(light));
+    frame.environment = frozen(scene().environment);
+    frame.camera = frozen(scene().camera);
+    frame.renderingObject = frozen(scene().renderingObject);
+}
 
-    frame->clearColor = settings.clearColor;
-    frame->target = settings.target;
-    frame->viewport =
-        settings.viewport.value_or(Viewport{0, 0, settings.target.width, settings.target.height});
-    frame->samples = settings.multisample && settings.samples == 1 ? 4 : settings.samples;
-    frame->seed = settings.seed;
-    frame->recursionLimit = settings.recursionLimit;
-    frame->weightCutoff = settings.weightCutoff;
-    frame->scene = compiler_.makeScene(allInstances(), settings.precision);
-    return frame;
+std::shared_ptr<Frame> Recorder::makeLayer(const Frame& common, const PixelTarget& target,
+                                           const LayerView& view) const {
+    const FrameSettings& settings = frameSettings_;
+    const auto layer = std::make_shared<Frame>();
+    layer->shaders = common.shaders;
+    layer->textures = common.textures;
+    layer->lights = common.lights;
+    layer->environment = common.environment;
+    layer->camera = common.camera;
+    layer->renderingObject = common.renderingObject;
+    layer->samples = settings.multisample && settings.samples == 1 ? 4 : settings.samples;
+    layer->seed = settings.seed;
+    layer->recursionLimit = settings.recursionLimit;
+    layer->weightCutoff = settings.weightCutoff;
+    layer->target = target;
+
+    layer->matrixCamera.projection = view.projection;
+    if (!layer->camera && !invert(view.projection, layer->matrixCamera.inverse))
+        refuse("the projection matrix has no inverse, and there is no camera shader");
+    layer->viewport = view.viewport.value_or(Viewport{0, 0, target.width, target.height});
+    layer->scissor = view.scissor;
+    layer->depthNear = view.depthNear;
+    layer->depthFar = view.depthFar;
+    layer->drawsColor = view.drawsColor;
+    return layer;
 }
 
 } // namespace smart::compat

@@ -10,6 +10,22 @@
 
 namespace smart::compat {
 
+namespace {
+
+InheritedAttributes inheritedFrom(const Attributes& attributes) {
+    return {attributes.color, attributes.normal, attributes.texCoord, attributes.materials};
+}
+
+std::shared_ptr<const ShaderReplacement> replacementOfAll(const std::shared_ptr<Shader>& by) {
+    auto replacement = std::make_shared<ShaderReplacement>();
+    replacement->all = true;
+    replacement->allBy = by->index();
+    replacement->keepAlive.push_back(by);
+    return replacement;
+}
+
+} // namespace
+
 const Recorder::Object& Recorder::object(uint32_t id) const {
     const auto found = objects_.find(id);
     if (found == objects_.end())
@@ -59,7 +75,8 @@ void Recorder::endObject() {
         instance.toParent = makeAffine(open_->savedMatrices.modelView());
         instance.objectId = open_->id;
         const Attributes& attributes = open_->savedAttributes;
-        instance.inherited = {attributes.color, attributes.normal, attributes.texCoord};
+        instance.inherited = inheritedFrom(attributes);
+        instance.state = instanceState(open_->savedMatrices);
         placeInScene(std::move(instance), compile);
     } else {
         compile(instance);
@@ -67,6 +84,10 @@ void Recorder::endObject() {
     const auto old = objects_.find(open_->id);
     if (old != objects_.end()) objects_.erase(old);
     objects_.insert(made.extract(made.begin()));
+    closeObject();
+}
+
+void Recorder::closeObject() noexcept {
     matrices_ = open_->savedMatrices;
     attributes_ = open_->savedAttributes;
     open_.reset();
@@ -93,11 +114,7 @@ const BoundShaderPtr& Recorder::surface(uint32_t id) const {
 void Recorder::instantiateWithShader(uint32_t id, uint32_t shader) {
     requireOutsidePrimitive();
     const BoundShaderPtr& by = surface(shader);
-    const auto replacement = std::make_shared<ShaderReplacement>();
-    replacement->all = true;
-    replacement->allBy = by->shader->index();
-    replacement->keepAlive.push_back(by->shader);
-    place(id, replacement, {{by->shader->index(), by->id}});
+    place(id, replacementOfAll(by->shader), {{by->shader->index(), by->id}});
 }
 
 void Recorder::instantiateWithShaders(uint32_t id, std::span<const uint32_t> shaders) {
@@ -127,10 +144,11 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
     instance.model = placed.model;
     instance.toParent = makeAffine(matrices_.modelView());
     instance.objectId = id;
-    instance.inherited = {attributes_.color, attributes_.normal, attributes_.texCoord};
+    instance.inherited = inheritedFrom(attributes_);
     const bool reshaded = replacement != nullptr;
     instance.replacement = std::move(replacement);
     if (!open_) {
+        instance.state = instanceState(matrices_);
         placeInScene(std::move(instance), [](Instance&) {});
         return;
     }
@@ -141,12 +159,26 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
     instance.inherited.ownColor = given.color;
     instance.inherited.ownNormal = given.normal;
     instance.inherited.ownTexCoord = given.texCoord;
+    instance.inherited.ownMaterials = given.materials;
     open_->recording.addChild(std::move(instance), placed.model->levels,
                               reshaded ? shaders : placed.shaders);
 }
 
+void Recorder::placeRun(const CompiledRun& run) {
+    if (run.model->triangles.empty()) return;
+    Instance instance;
+    instance.model = run.model;
+    instance.toParent = makeAffine(matrices_.modelView());
+    instance.inherited = inheritedFrom(attributes_);
+    instance.state = instanceState(matrices_);
+    const std::shared_ptr<Shader>& bound = shaders_.bound().shader;
+    if (run.shader != bound->index()) instance.replacement = replacementOfAll(bound);
+    placeInScene(std::move(instance), [](Instance&) {});
+}
+
 template <class Complete>
 void Recorder::placeInScene(Instance instance, Complete&& complete) {
+    enterLayer();
     std::optional<Instance> loose = looseInstance();
     std::vector<Instance>& list = scene().instances;
     if (list.capacity() - list.size() < 2) list.reserve(2 * list.capacity() + 2);
@@ -160,12 +192,26 @@ void Recorder::placeInScene(Instance instance, Complete&& complete) {
 }
 
 std::optional<Instance> Recorder::looseInstance() {
-    if (scene().loose.triangleCount() == 0) return std::nullopt;
+    if (!scene().loose.hasPrimitives()) return std::nullopt;
     GeometryRecording copy = scene().loose;
     Instance instance;
     instance.model = compiler_.compile(copy);
     instance.inherited = scene().looseInherited;
+    instance.state = scene().looseState;
     return instance;
+}
+
+void Recorder::endLooseRun() {
+    if (scene().loose.hasPrimitives()) {
+        std::vector<Instance>& list = scene().instances;
+        if (list.capacity() == list.size()) list.reserve(2 * list.capacity() + 2);
+        Instance instance;
+        instance.model = compiler_.compile(scene().loose); // the last step that may fail
+        instance.inherited = scene().looseInherited;
+        instance.state = scene().looseState;
+        list.push_back(std::move(instance));
+    }
+    scene().loose = GeometryRecording();
 }
 
 std::vector<Instance> Recorder::allInstances() {

@@ -3,20 +3,28 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "compat/recorder/geometry_recording.h"
+#include "compat/recorder/layers.h"
 #include "libsmart/scene/scene.h"
+#include "libsmart/shading/fixed_state.h"
 
 namespace smart::compat {
 
 /// What the next frame of a scene consists of so far.
 struct SceneRecording {
+    std::vector<FinishedLayer> below; ///< bottom first
+    // Of the layer under way:
+    std::optional<LayerView> view;   ///< since its first primitive
+    std::vector<BufferClear> clears; ///< before that
     std::vector<Instance> instances;
     /// Loose primitives since the last instance; their inherited attributes are those current at
     /// the first vertex.
     GeometryRecording loose;
     InheritedAttributes looseInherited;
+    FixedStatePtr looseState; ///< of all of the run
 
     std::vector<std::shared_ptr<Shader>> lights;
     std::shared_ptr<Shader> camera, environment, renderingObject;

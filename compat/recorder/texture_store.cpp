@@ -2,6 +2,7 @@
 #include "compat/recorder/texture_store.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "libsmart/base/error.h"
@@ -9,11 +10,12 @@
 namespace smart::compat {
 
 TextureStore::TextureStore() {
-    objects_[0].everBound = true;
+    objects_[0].target = TextureTarget::TwoDimensional;
+    objects_[kDefault1D].target = TextureTarget::OneDimensional;
 }
 
 uint32_t TextureStore::generate() {
-    if (objects_.size() > kMaxId) throw Error(ErrorCode::OutOfMemory, "all texture ids are in use");
+    if (objects_.size() > kMaxId + 1) throw Error(ErrorCode::OutOfMemory, "all texture ids are in use");
     uint32_t id = lastGenerated_;
     do id = id == kMaxId ? 1 : id + 1;
     while (objects_.contains(id));
@@ -23,26 +25,34 @@ uint32_t TextureStore::generate() {
 
 void TextureStore::remove(uint32_t id) {
     if (id == 0 || objects_.erase(id) == 0) return;
-    if (bound_ == id) bound_ = 0;
+    if (bound_[0] == id) bound_[0] = kDefault1D;
+    if (bound_[1] == id) bound_[1] = 0;
     table_.reset();
 }
 
-void TextureStore::bind(uint32_t id) {
+void TextureStore::bind(uint32_t id, TextureTarget target) {
     if (id > kMaxId) throw Error(ErrorCode::InvalidValue, "texture ids end at 1048575");
-    objects_[id].everBound = true;
-    bound_ = id;
+    const bool isLine = target == TextureTarget::OneDimensional;
+    const uint32_t key = id == 0 && isLine ? kDefault1D : id;
+    Object& object = objects_[key];
+    if (object.target.value_or(target) != target)
+        throw Error(ErrorCode::InvalidOperation,
+                    "the texture has another number of dimensions");
+    object.target = target;
+    bound_[std::size_t(target)] = key;
 }
 
 bool TextureStore::exists(uint32_t id) const {
     const auto found = objects_.find(id);
-    return id != 0 && found != objects_.end() && found->second.everBound;
+    return id != 0 && id <= kMaxId && found != objects_.end() && found->second.target;
 }
 
-void TextureStore::setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat) {
-    Object& object = objects_.at(bound_);
+void TextureStore::setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat,
+                            TexelFormat format, TextureTarget target) {
+    Object& object = objects_.at(keyOfBound(target));
     const bool given = image != nullptr;
     if (given)
-        object.levels[level] = {std::move(image), internalFormat};
+        object.levels[level] = {std::move(image), internalFormat, format};
     else
         object.levels.erase(level);
     if (level == object.madeFrom) object.madeFrom.reset();
@@ -56,8 +66,8 @@ void TextureStore::setImage(uint32_t level, TextureImagePtr image, int32_t inter
     table_.reset();
 }
 
-TextureImagePtr TextureStore::image(uint32_t level) const {
-    const Object& object = objects_.at(bound_);
+TextureImagePtr TextureStore::image(uint32_t level, TextureTarget target) const {
+    const Object& object = objects_.at(keyOfBound(target));
     if (const Level* given = object.find(level)) return given->image;
     if (!object.madeFrom || level < *object.madeFrom || level > object.lastMade()) return nullptr;
     TextureImagePtr made = object.find(*object.madeFrom)->image;
@@ -66,8 +76,8 @@ TextureImagePtr TextureStore::image(uint32_t level) const {
     return made;
 }
 
-TextureLevelInfo TextureStore::info(uint32_t level) const {
-    const Object& object = objects_.at(bound_);
+TextureLevelInfo TextureStore::info(uint32_t level, TextureTarget target) const {
+    const Object& object = objects_.at(keyOfBound(target));
     uint32_t from = level;
     if (!object.find(level)) {
         if (!object.madeFrom || level < *object.madeFrom || level > object.lastMade()) return {};
@@ -75,7 +85,7 @@ TextureLevelInfo TextureStore::info(uint32_t level) const {
     }
     const Level& source = *object.find(from);
     TextureLevelInfo info{source.image->width(), source.image->height(), source.image->channels(),
-                          source.image->type(), source.internalFormat};
+                          source.image->type(), source.internalFormat, source.format};
     for (; from < level; ++from) {
         info.width = nextLevelSide(info.width);
         info.height = nextLevelSide(info.height);
@@ -83,8 +93,8 @@ TextureLevelInfo TextureStore::info(uint32_t level) const {
     return info;
 }
 
-void TextureStore::setParameters(const TextureParameters& parameters) {
-    Object& object = objects_.at(bound_);
+void TextureStore::setParameters(const TextureParameters& parameters, TextureTarget target) {
+    Object& object = objects_.at(keyOfBound(target));
     object.parameters = parameters;
     object.stale = true;
     table_.reset();
@@ -137,7 +147,7 @@ void TextureStore::Object::freeze() {
     if (!find(base)) { // it may be one of those that are made
         if (!madeFrom || base < *madeFrom || base > lastMade()) {
             texture.reset();
-            stale = false;
+            whole = stale = false;
             return;
         }
         start = *madeFrom;
@@ -150,20 +160,32 @@ void TextureStore::Object::freeze() {
     TextureOptions options = parameters.options;
     options.firstLevel = base - start;
     options.lastLevel = end;
-    const bool whole = parameters.options.lastLevel >= base && complete(start, wanted - start);
+    whole = parameters.options.lastLevel >= base && complete(start, wanted - start);
     gather(start, whole ? wanted - start : base - start + 1, whole);
-    if (!whole && options.minification.levels != LevelChoice::First)
+    options.format = find(start)->format;
+    // The second coordinate is not looked at: beyond the edge is the only row.
+    if (target == TextureTarget::OneDimensional) options.wrapT = TextureWrap::ClampToEdge;
+    if (options.minification.levels == LevelChoice::First)
+        whole = true; // the others are not asked for
+    else if (!whole)
         options.minification = {options.magnification, LevelChoice::First};
     texture = std::make_shared<const Texture>(images, options);
     stale = false;
 }
 
+std::shared_ptr<const Texture> TextureStore::completeBound(TextureTarget target) {
+    Object& object = objects_.at(keyOfBound(target));
+    if (object.stale) object.freeze();
+    return object.whole ? object.texture : nullptr;
+}
+
 std::shared_ptr<const TextureTable> TextureStore::freeze() {
     if (table_) return table_;
-    auto table = std::make_shared<TextureTable>(objects_.rbegin()->first + 1);
+    const uint32_t largest = std::prev(objects_.find(kDefault1D))->first;
+    auto table = std::make_shared<TextureTable>(largest + 1);
     for (auto& [id, object] : objects_) {
         if (object.stale) object.freeze();
-        if (id != 0) (*table)[id] = object.texture;
+        if (id != 0 && id != kDefault1D) (*table)[id] = object.texture;
     }
     return table_ = std::move(table);
 }

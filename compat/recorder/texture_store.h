@@ -15,6 +15,9 @@ namespace smart::compat {
 struct TextureParameters {
     TextureOptions options{.minification = {TextureFilter::Nearest, LevelChoice::Linear}};
     bool generateMipmap = false;
+    float priority = 1.0f; ///< without effect, as all textures are in memory
+    TextureWrap wrapR = TextureWrap::Repeat; ///< without effect for lack of a third dimension
+    bool operator==(const TextureParameters&) const = default;
 };
 
 /// What is known of a level of a texture.
@@ -22,10 +25,13 @@ struct TextureLevelInfo {
     uint32_t width = 0, height = 0, channels = 0;
     TexelType type = TexelType::Byte;
     int32_t internalFormat = 1; ///< as the application named it
+    TexelFormat format = TexelFormat::ByChannels;
 };
 
-/// OpenGL's two-dimensional texture objects of one context. A function that throws has changed
-/// nothing.
+enum class TextureTarget : uint8_t { OneDimensional, TwoDimensional };
+
+/// OpenGL's texture objects of one context; those of one dimension have images of height 1. A
+/// function that throws has changed nothing.
 class TextureStore {
 public:
     TextureStore();
@@ -37,37 +43,59 @@ public:
     /// An unused id, reserved until it is bound.
     uint32_t generate();
     void remove(uint32_t id);
-    void bind(uint32_t id);
-    uint32_t bound() const { return bound_; }
+    /// A texture has the number of dimensions that it was first bound with.
+    void bind(uint32_t id, TextureTarget target = kDefaultTarget);
+    uint32_t bound(TextureTarget target = kDefaultTarget) const {
+        const uint32_t key = keyOfBound(target);
+        return key == kDefault1D ? 0 : key;
+    }
     bool exists(uint32_t id) const;
+    /// It exists and has this number of dimensions.
+    bool exists(uint32_t id, TextureTarget target) const {
+        return exists(id) && objects_.at(id).target == target;
+    }
 
-    // Of the bound texture:
+    // Of the texture bound to a target:
     /// Image of a level; nullptr: none. Where the parameters say so, the levels below the base
     /// level are to be made from it.
-    void setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat);
+    void setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat,
+                  TexelFormat format = TexelFormat::ByChannels,
+                  TextureTarget target = kDefaultTarget);
     /// nullptr: the level has none.
-    TextureImagePtr image(uint32_t level) const;
-    TextureLevelInfo info(uint32_t level) const;
-    const TextureParameters& parameters() const { return objects_.at(bound_).parameters; }
-    void setParameters(const TextureParameters& parameters);
+    TextureImagePtr image(uint32_t level, TextureTarget target = kDefaultTarget) const;
+    TextureLevelInfo info(uint32_t level, TextureTarget target = kDefaultTarget) const;
+    const TextureParameters& parameters(TextureTarget target = kDefaultTarget) const {
+        return objects_.at(keyOfBound(target)).parameters;
+    }
+    void setParameters(const TextureParameters& parameters,
+                       TextureTarget target = kDefaultTarget);
 
     /// The table as it is now; the same one again if nothing changed since. An incomplete texture
     /// is its base level, enlarged or reduced by the magnification filter.
     std::shared_ptr<const TextureTable> freeze();
+    /// The bound texture as it is now, for fixed function; nullptr: it is incomplete. Texture 0 is
+    /// one too.
+    std::shared_ptr<const Texture> completeBound(TextureTarget target = kDefaultTarget);
 
 private:
+    static constexpr TextureTarget kDefaultTarget = TextureTarget::TwoDimensional;
+    /// Under which the texture 0 of one dimension is kept.
+    static constexpr uint32_t kDefault1D = kMaxId + 1;
+
     struct Level {
         TextureImagePtr image;
         int32_t internalFormat = 1;
+        TexelFormat format = TexelFormat::ByChannels;
     };
     struct Object {
-        bool everBound = false;
+        std::optional<TextureTarget> target; ///< empty: never bound
         TextureParameters parameters;
         std::map<uint32_t, Level> levels; ///< those that were given
         std::optional<uint32_t> madeFrom; ///< levels after this one, where not given, are made
         std::shared_ptr<const TextureLevels> images; ///< of `texture`; nullptr: they changed
         uint32_t imagesStart = 0;                    ///< number of the first of them
         std::shared_ptr<const Texture> texture;
+        bool whole = false; ///< `texture` has all the levels that its filters ask for
         bool stale = false; ///< `texture` is not what the rest says
 
         const Level* find(uint32_t level) const;
@@ -78,7 +106,9 @@ private:
     };
 
     std::map<uint32_t, Object> objects_;
-    uint32_t bound_ = 0, lastGenerated_ = 0;
+    uint32_t keyOfBound(TextureTarget target) const { return bound_[std::size_t(target)]; }
+    uint32_t bound_[2] = {kDefault1D, 0}; ///< by target
+    uint32_t lastGenerated_ = 0;
     std::shared_ptr<const TextureTable> table_; ///< nullptr: something changed
 };
 

@@ -5,9 +5,14 @@
  *
  *   rt_core.h      start and end, contexts, errors, settings of the library
  *   rt_state.h     matrices, current values, enables, queries of state
+ *   rt_fixed.h     fixed function: lights, materials, fog, blending, attribute stacks
  *   rt_objects.h   primitives, objects, instances
+ *   rt_lists.h     display lists
+ *   rt_arrays.h    vertex arrays, buffer objects, rectangles
  *   rt_shaders.h   shader classes, shaders, their parameters
  *   rt_textures.h  images for shaders
+ *   rt_pixels.h    raster position, bitmaps, rectangles of pixels
+ *   rt_window.h    clearing, scissor, depth range, reading pixels back
  *   rt_frame.h     frame buffers, what a frame consists of, rendering
  *   rt_queue.h     several scenes, frames in flight
  *   rt_query.h     rays from the application
@@ -46,15 +51,20 @@
 #define OPENRT_RT_H
 
 #include "openrt/enums.h"
+#include "openrt/rt_arrays.h"
 #include "openrt/rt_core.h"
+#include "openrt/rt_fixed.h"
 #include "openrt/rt_frame.h"
 #include "openrt/rt_gl.h"
+#include "openrt/rt_lists.h"
 #include "openrt/rt_objects.h"
+#include "openrt/rt_pixels.h"
 #include "openrt/rt_query.h"
 #include "openrt/rt_queue.h"
 #include "openrt/rt_shaders.h"
 #include "openrt/rt_state.h"
 #include "openrt/rt_textures.h"
+#include "openrt/rt_window.h"
 #include "openrt/types.h"
 #include "openrt/version.h"
 

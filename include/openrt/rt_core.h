@@ -68,7 +68,8 @@ RTAPI void RTAPIENTRY rtErrorCallback(void(RTAPIENTRY *cb)(RTenum code, const ch
                                                            const char *text, void *user),
                                       void *user);
 
-/* Text about the library: RT_VERSION, RT_VENDOR, RT_RENDERER, RT_ISA (the instruction set that
+/* Text about the library: RT_VERSION (that of OpenGL that its calls follow, and its own),
+ * RT_VENDOR, RT_RENDERER, RT_EXTENSIONS (none), RT_ISA (the instruction set that
  * the kernels use: generic, sse4, avx2, avx512 or neon), RT_ISA_NAMES (those that library and
  * machine have, best first, with spaces between), RT_SHADER_FOLDERS (where shader libraries are
  * looked for, with colons between). Lives as long as the library, RT_SHADER_FOLDERS until it is
@@ -86,9 +87,8 @@ RTAPI void RTAPIENTRY rtThreads(RTuint n);
 /* rtHint(RT_PRECISION_HINT, mode): how exact intersections are; read when a frame is started or
  * a scene compiled. RT_FASTEST: edges between triangles may let rays through. RT_DONT_CARE
  * (start): watertight. RT_NICEST: precise, the nearest hit that exact arithmetic finds for the
- * numbers as given. Not in an object.
- * Errors:  RT_INVALID_ENUM       target or mode is no such token
- *          RT_INVALID_OPERATION  OpenGL's own targets: not part of this release
+ * numbers as given. OpenGL's own hints are kept and have no effect. Not in an object.
+ * Errors:  RT_INVALID_ENUM  target or mode is no such token
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode);
 

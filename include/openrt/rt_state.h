@@ -179,12 +179,19 @@ RTAPI void RTAPIENTRY rtViewport(RTint x, RTint y, RTsizei width, RTsizei height
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClearColor(RTclampf red, RTclampf green, RTclampf blue, RTclampf alpha);
 
-/* Switches, off at the start; read when a frame is started:
+/* Switches, off at the start but for RT_DITHER, which has no effect, and RT_DEPTH_TEST: that is on
+ * until a program enables or disables it or clears a buffer; from then on it is as in OpenGL, where
+ * it is off until it is enabled, and what is given last covers what was given before.
+ *   OpenGL's             those of fixed function; see rt_fixed.h
+ *   RT_SHADOWS           lights of fixed function cast shadows
+ *   RT_REFLECTIONS       fixed-function surfaces reflect by their material's RT_REFLECTION
  *   RT_FRAMEBUFFER_SRGB  frame buffers of 8 bits are stored sRGB-encoded
  *   RT_MULTISAMPLE       four samples a pixel where rtSamples asks for one
  * rtEnable and rtDisable: not in an object.
  * Errors:  RT_INVALID_ENUM       no switch of this interface
- *          RT_INVALID_OPERATION  one that is not part of this release
+ *          RT_INVALID_OPERATION  rtEnable, the first time: RT_STENCIL_TEST, evaluators,
+ *                                RT_TEXTURE_3D, RT_TEXTURE_CUBE_MAP, RT_COLOR_SUM, sample coverage
+ *                                and the imaging subset, which there are not
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtEnable(RTenum cap);
 RTAPI void RTAPIENTRY rtDisable(RTenum cap);
@@ -192,7 +199,8 @@ RTAPI RTboolean RTAPIENTRY rtIsEnabled(RTenum cap);
 
 /* Values of state, converted as in OpenGL: colours, normals and depths become integers by mapping
  * -1..1 to the whole range, other numbers by rounding, and booleans by comparison with 0; integers
- * out of range are clamped.
+ * out of range are clamped. All values and switches of OpenGL 1.5 whose calls this library has, as
+ * many as there; its own, and how many values the most common ones have:
  *   4: RT_CURRENT_COLOR RT_CURRENT_TEXTURE_COORDS RT_COLOR_CLEAR_VALUE RT_VIEWPORT
  *   3: RT_CURRENT_NORMAL
  *  16: RT_MODELVIEW_MATRIX RT_PROJECTION_MATRIX RT_TEXTURE_MATRIX and RT_TRANSPOSE_..._MATRIX

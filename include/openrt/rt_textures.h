@@ -21,11 +21,13 @@ RTAPI void RTAPIENTRY rtGenTextures(RTsizei n, RTuint *textures);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDeleteTextures(RTsizei n, const RTuint *textures);
 
-/* The texture that the calls below are about; an unknown id becomes a new texture. 0 is a
- * texture that no shader can look up. Legal in objects.
+/* The texture of one or two dimensions that the calls below are about; an unknown id becomes a new
+ * texture with this number of dimensions. 0 is a texture of each that no shader can look up. Legal
+ * in objects.
  * Errors:  RT_INVALID_ENUM       target is no texture target
  *          RT_INVALID_VALUE      id above 1048575
- *          RT_INVALID_OPERATION  target is not RT_TEXTURE_2D: not part of this release
+ *          RT_INVALID_OPERATION  target is neither RT_TEXTURE_1D nor RT_TEXTURE_2D: not part of this
+ *                                release; the texture has another number of dimensions
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBindTexture(RTenum target, RTuint texture);
 
@@ -59,6 +61,11 @@ RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFor
                                    RTsizei height, RTint border, RTenum format, RTenum type,
                                    const void *pixels);
 
+/* The same for the bound texture of one dimension, whose images have one row.
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
+                                   RTint border, RTenum format, RTenum type, const void *pixels);
+
 /* Replaces a part of a level's image, converted to the precision that the image has. At the base
  * level, with RT_GENERATE_MIPMAP, the levels after it are made anew.
  * Errors:  RT_INVALID_ENUM       target, format or type is no such token
@@ -70,6 +77,17 @@ RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFor
 RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
                                       RTsizei width, RTsizei height, RTenum format, RTenum type,
                                       const void *pixels);
+
+RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTsizei width,
+                                      RTenum format, RTenum type, const void *pixels);
+
+/* All textures are in memory: priorities have no effect, and all that exist are resident.
+ * Errors:  RT_INVALID_VALUE  n negative, NULL with n above 0; rtAreTexturesResident: an unknown id
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtPrioritizeTextures(RTsizei n, const RTuint *textures,
+                                           const RTclampf *priorities);
+RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei n, const RTuint *textures,
+                                                 RTboolean *residences);
 
 /* How the bound texture is looked up:
  *   RT_TEXTURE_WRAP_S, _T       RT_REPEAT (start), RT_MIRRORED_REPEAT, RT_CLAMP_TO_EDGE,
@@ -85,6 +103,7 @@ RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset,
  *   RT_TEXTURE_LOD_BIAS         added to it, limited to 16 both ways; start 0
  *   RT_TEXTURE_BASE_LEVEL, _MAX_LEVEL  the levels that are used; start 0, 1000
  *   RT_GENERATE_MIPMAP          see rtTexImage2D; start RT_FALSE
+ *   RT_TEXTURE_PRIORITY, _WRAP_R  without effect
  * Errors:  RT_INVALID_ENUM       target, pname or value is no such token; a colour in a call for
  *                                one value
  *          RT_INVALID_VALUE      a negative level, a number that is NaN, params NULL

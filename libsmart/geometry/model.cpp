@@ -55,11 +55,12 @@ std::size_t ShadingData::bytes() const {
     return heldBytes(corners) + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
            heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
            heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
-           heldBytes(keepAlive);
+           heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(provoking) +
+           heldBytes(boundary) + heldBytes(keepAlive);
 }
 
 std::size_t Model::bytes() const {
-    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() +
+    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() + pixels.bytes() +
            children.bytes() + preparedBytes_.load(std::memory_order_relaxed);
 }
 

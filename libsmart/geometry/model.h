@@ -13,6 +13,7 @@
 
 #include "libsmart/accel/kd_tree.h"
 #include "libsmart/geometry/instance_group.h"
+#include "libsmart/geometry/pixel_geometry.h"
 #include "libsmart/geometry/tile_trees.h"
 #include "libsmart/kernel/view.h"
 
@@ -32,6 +33,14 @@ struct ShadingData {
     std::vector<glm::vec4> colors;
     std::vector<uint32_t> vertexMaterials; ///< numbers in materials
     std::vector<std::shared_ptr<const FixedMaterials>> materials;
+    /// The corner of each triangle that flat shading takes; from kOfNext on, a corner of the
+    /// triangle after it. Empty: the last one of each.
+    std::vector<uint8_t> provoking;
+    static constexpr uint8_t kOfNext = 3, kLastCorner = 2;
+    /// Bit k: the edge from corner k to the next is one of the polygon that the triangle is a part
+    /// of, and to be drawn where polygons are drawn as lines. Empty: all are.
+    std::vector<uint8_t> boundary;
+    static constexpr uint8_t kAllEdges = 7;
     /// Shader slot of each triangle (empty: all 0), and the shader index of each slot in order of
     /// first use.
     std::vector<uint32_t> slots;
@@ -56,8 +65,10 @@ struct Model {
     std::vector<Triangle> triangles; ///< in the order given; dropped ones keep their number
     KdTree tree;
     ShadingData shading;
+    PixelGeometry pixels;
     InstanceGroup children;
     uint32_t droppedTriangles = 0; ///< not finite or degenerate; not in the tree
+    bool drawsPixels = false;      ///< it, or a child, has something in `pixels`
     uint32_t levels = 1;           ///< 1 without children, else 1 + the deepest child's
     uint64_t treeEvents = 0;       ///< events the builder swept
     double buildSeconds = 0;

@@ -60,6 +60,7 @@ private:
     };
     const auto slotExists = [&shading](uint32_t slot) { return slot < shading.shaders.size(); };
     return perTriangle(shading.corners.size()) && perTriangle(shading.slots.size()) &&
+           perTriangle(shading.boundary.size()) &&
            perTriangle(shading.triangleBlocks.size()) &&
            (shading.vertexBlocks.empty() || shading.vertexBlocks.size() >= vertices) &&
            reaches(shading.firstNormal, shading.normals.size()) &&
@@ -86,14 +87,18 @@ ModelPtr ModelBuilder::build(const KdBuildOptions& options) && {
         model->treeEvents = stats.events;
     }
     if (!children.empty()) model->children = InstanceGroup(children, options.threads);
+    model->drawsPixels = !pixels.empty();
     for (const Instance& child : children) {
-        if (child.model) model->levels = std::max(model->levels, 1 + child.model->levels);
+        if (!child.model) continue;
+        model->levels = std::max(model->levels, 1 + child.model->levels);
+        model->drawsPixels |= child.model->drawsPixels;
     }
     assert(model->levels <= uint32_t(kMaxLevels));
     triangles.shrink_to_fit();
 
     model->triangles = std::move(triangles);
     model->shading = std::move(shading);
+    model->pixels = std::move(pixels);
     children.clear();
     model->bounds = model->tree.bounds;
     model->bounds.add(model->children.bounds());

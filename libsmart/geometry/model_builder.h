@@ -17,6 +17,7 @@ public:
     /// triangles (see ShadingData); that is checked by assertion only.
     std::vector<Triangle> triangles;
     ShadingData shading;
+    PixelGeometry pixels;
     std::vector<Instance> children;
 
     /// Compiles. A triangle that is not finite, or whose cross product is exactly zero (in exact

@@ -28,9 +28,9 @@ inline void roundQuotient(double dividend, double dividendError, double divisor,
 
 /// The formulas and bounds of meetInDouble for the hits of a query; lanes without a hit get any
 /// value.
-template <int N, class Counter>
+template <int N, HitMode M, class Counter>
 void placeHits(const ModelView& scene, const WorldRays<N>& world,
-               const Search<N, HitMode::Closest, Counter>& query, float* t, float* u, float* v) {
+               const Search<N, M, Counter>& query, float* t, float* u, float* v) {
     alignas(64) double org[3][N] = {}, dir[3][N] = {}, orgError[N] = {}, dirError[N] = {};
     alignas(64) float v0[3][N] = {}, v1[3][N] = {}, v2[3][N] = {};
     for (int i = 0; i < N; ++i) {

@@ -16,7 +16,8 @@ inline constexpr int kPrecisionCount = 3;
 inline constexpr uint32_t kTilePackets = 4; ///< packets that may be traced together
 
 /// Every entry finds the same hits, to the bit, whatever the instruction set. Equal distances go
-/// to the lowest path, then to the lowest triangle; a model's own triangles before its children.
+/// to the lowest path, then to the lowest triangle; a model's own triangles before its children;
+/// or, where the scene's view says lastOfEqual, to the last one in this order.
 /// t, u and v of a hit are computed in double from the ray as given and rounded once; in precise
 /// mode they are the exact ones, correctly rounded.
 /// Fast needs ModelView::records in every model that the rays may reach.
@@ -34,6 +35,9 @@ struct KernelTable {
                                            HitPacket*);
     void (*occludedTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
                                           uint32_t* blocked);
+    /// Everything that the ray meets in its range, in no order, a triangle perhaps more than once.
+    /// Where the list is too short, again with a longer one.
+    void (*intersectAll1[kPrecisionCount])(const ModelView&, const Ray&, HitList&);
     /// intersect that also adds up what it did
     void (*intersectCounted[kPrecisionCount])(const ModelView&, const RayPacket&, HitPacket&,
                                               TraversalCounts&);

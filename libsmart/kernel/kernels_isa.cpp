@@ -46,6 +46,7 @@ void run(const ModelView& scene, const RayArrays& in, WorldRays<N>& world,
          Search<N, M, Counter>& query) {
     typename Precision<N>::Rays rays;
     uint32_t legal;
+    query.lastOfEqual = scene.lastOfEqual != 0;
     if constexpr (kIsPrecise<Precision>)
         legal = preparePreciseRays<N, M, Counter>(scene, in.org, in.dir, in.tNear, in.tFar,
                                                   in.active, rays, world, query);
@@ -56,9 +57,9 @@ void run(const ModelView& scene, const RayArrays& in, WorldRays<N>& world,
 }
 
 /// Computes where the hits of `query` lie.
-template <template <int> class Precision, int N, class Counter>
+template <template <int> class Precision, int N, HitMode M, class Counter>
 void place(const ModelView& scene, const RayArrays& in, const WorldRays<N>& world,
-           const Search<N, HitMode::Closest, Counter>& query, float* t, float* u, float* v) {
+           const Search<N, M, Counter>& query, float* t, float* u, float* v) {
     if constexpr (kIsPrecise<Precision>) {
         placeHits(scene, world, query, t, u, v);
     } else {
@@ -115,6 +116,24 @@ void intersect1(const ModelView& scene, const Ray& ray, Hit& hit) {
     place<Precision>(scene, in, world, query, &hit.t, &hit.u, &hit.v);
     hit.levels = query.levels[0];
     for (uint32_t l = 0; l < hit.levels; ++l) hit.path[l] = query.path[l][0];
+}
+
+template <template <int> class Precision>
+void intersectAll1(const ModelView& scene, const Ray& ray, HitList& list) {
+    const RayArrays in(ray);
+    WorldRays<1> world;
+    Search<1, HitMode::All, NoCounts> query;
+    list.count = 0;
+    query.all = &list;
+    run<Precision>(scene, in, world, query);
+    const uint32_t stored = list.count < list.capacity ? list.count : list.capacity;
+    for (uint32_t i = 0; i < stored; ++i) {
+        Hit& hit = list.hits[i];
+        query.triangle[0] = hit.triangle;
+        query.levels[0] = hit.levels;
+        for (uint32_t l = 0; l < hit.levels; ++l) query.path[l][0] = hit.path[l];
+        place<Precision>(scene, in, world, query, &hit.t, &hit.u, &hit.v);
+    }
 }
 
 template <template <int> class Precision>
@@ -175,6 +194,7 @@ void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
     WorldRays<kPacketSize> world;
     for (uint32_t v = 0; v < count; ++v) {
         const RayArrays in(packets[v]);
+        query[v].lastOfEqual = scene.lastOfEqual != 0;
         legal.of[v] = prepareRays<kPacketSize, M, NoCounts>(
             in.org, in.dir, in.tNear, in.tFar, in.active, tile.rays[v], world.scale, query[v]);
     }
@@ -232,6 +252,7 @@ const KernelTable kTable = {
     {occluded1<Fast>, occluded1<Watertight>, occluded1<Precise>},
     {intersectTile<Fast>, intersectTile<Watertight>, intersectTile<Precise>},
     {occludedTile<Fast>, occludedTile<Watertight>, occludedTile<Precise>},
+    {intersectAll1<Fast>, intersectAll1<Watertight>, intersectAll1<Precise>},
     {intersectCounted<Fast>, intersectCounted<Watertight>, intersectCounted<Precise>},
 };
 

@@ -44,6 +44,13 @@ struct Hit {
     uint32_t path[kMaxLevels];
 };
 
+/// Memory of the caller for what a ray meets. `count` tells how much there was to be stored: where
+/// it exceeds the capacity the rest is missing.
+struct HitList {
+    Hit* hits;
+    uint32_t capacity, count;
+};
+
 /// What a traversal did; filled by the counting kernels only.
 struct TraversalCounts {
     uint64_t nodes = 0;      ///< inner nodes visited, a packet counting as one visitor

@@ -99,6 +99,8 @@ public:
                 query.blocked |= clear.bits();
                 active = andNot(active, clear);
                 best = select(clear, Real<N>(-__builtin_inff()), best);
+            } else if constexpr (M == HitMode::All) {
+                query.append(number);
             } else {
                 query.keepTriangle(clear, number);
                 best = select(clear, high, best);
@@ -135,6 +137,8 @@ private:
             if constexpr (M == HitMode::Any) {
                 blocked |= 1u << i;
                 limits[i] = -__builtin_inff();
+            } else if constexpr (M == HitMode::All) {
+                query.append(number);
             } else {
                 if (ruling.order == Order::Equal && !query.precedes(number, i)) continue;
                 query.keepTriangle(Mask<N>::fromBits(1u << i), number);

@@ -2,12 +2,13 @@
 // What a traversal carries along: the rays in the space at hand, and the best hit of each lane.
 #pragma once
 
+#include "libsmart/kernel/packet.h"
 #include "libsmart/kernel/simd.h"
 #include "libsmart/kernel/view.h"
 
 namespace smart::SMART_ISA {
 
-enum class HitMode { Closest, Any };
+enum class HitMode { Closest, Any, All };
 
 /// Rays in one model's space. Plain arrays: lanes are regrouped and transformed in memory.
 template <int N>
@@ -60,20 +61,25 @@ struct alignas(64) Search {
     uint32_t blocked = 0; ///< HitMode::Any: lanes that met something
 
     const WorldRays<N>* world = nullptr; ///< precise mode only
+    HitList* all = nullptr;              ///< HitMode::All: where the hits go
+    bool lastOfEqual = false;            ///< as ModelView has it
 
     uint32_t currentPath[kMaxLevels];
     uint32_t currentLevels = 0;
     uint32_t deepest = 0; ///< no hit has more levels
     Counter counter{};
 
-    /// Whether the triangle at hand comes before the one stored for a lane at equal distance:
-    /// the lowest path, a model's own triangles before its children, the lowest triangle.
+    /// Whether the triangle at hand is preferred to the one stored for a lane at equal distance:
+    /// the lowest path, a model's own triangles before its children, the lowest triangle; with
+    /// lastOfEqual the opposite.
     bool precedes(uint32_t candidate, int lane) const {
         if (triangle[lane] == kNoHit) return true;
         for (uint32_t l = 0; l < currentLevels && l < levels[lane]; ++l)
-            if (currentPath[l] != path[l][lane]) return currentPath[l] < path[l][lane];
-        if (currentLevels != levels[lane]) return currentLevels < levels[lane];
-        return candidate < triangle[lane];
+            if (currentPath[l] != path[l][lane])
+                return (currentPath[l] < path[l][lane]) != lastOfEqual;
+        if (currentLevels != levels[lane])
+            return (currentLevels < levels[lane]) != lastOfEqual;
+        return lastOfEqual ? candidate > triangle[lane] : candidate < triangle[lane];
     }
 
     /// Whether the triangle stored for a lane belongs to the model at hand, in the same place.
@@ -111,10 +117,33 @@ struct alignas(64) Search {
         deepest = deepest > currentLevels ? deepest : currentLevels;
     }
 
+    /// HitMode::All: adds the triangle at hand, unless it was found in one of the last leaves too.
+    void append(uint32_t candidate) {
+        static_assert(N == 1 || M != HitMode::All);
+        const uint32_t end = all->count < all->capacity ? all->count : all->capacity;
+        for (uint32_t i = end; i > 0 && i + 4 > end; --i) {
+            const Hit& before = all->hits[i - 1];
+            bool same = before.triangle == candidate && before.levels == currentLevels;
+            for (uint32_t l = 0; same && l < currentLevels; ++l)
+                same = before.path[l] == currentPath[l];
+            if (same) return;
+        }
+        if (all->count < all->capacity) {
+            Hit& hit = all->hits[all->count];
+            hit.triangle = candidate;
+            hit.levels = currentLevels;
+            for (uint32_t l = 0; l < currentLevels; ++l) hit.path[l] = currentPath[l];
+        }
+        ++all->count;
+    }
+
     /// Takes a triangle met at t by the lanes `hit`; returns the lanes' new far limits.
     Real<N> accept(const Mask<N>& hit, const Real<N>& t, const Real<N>& far, uint32_t candidate) {
         if constexpr (M == HitMode::Any) {
             blocked |= hit.bits();
+            return far;
+        } else if constexpr (M == HitMode::All) {
+            append(candidate);
             return far;
         } else {
             Mask<N> taken = hit;

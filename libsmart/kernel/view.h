@@ -74,6 +74,8 @@ struct ModelView {
     /// For tiles of rays; set once the model has been prepared for them.
     WideView wide;
     WideView wideChildren; ///< over the children; empty where childTree is
+    /// Of a scene, not 0: of hits at equal distance the last one counts, not the first.
+    uint32_t lastOfEqual;
 };
 
 } // namespace smart

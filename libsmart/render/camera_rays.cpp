@@ -47,10 +47,7 @@ CameraRays::CameraRays(const Frame& frame)
 }
 
 bool CameraRays::covers(uint32_t x, uint32_t y) const {
-    const Viewport& viewport = frame_.viewport;
-    const int64_t column = int64_t(x) - viewport.x, row = int64_t(y) - viewport.y;
-    return column >= 0 && column < int64_t(viewport.width) && row >= 0 &&
-           row < int64_t(viewport.height);
+    return frame_.viewport.contains(x, y);
 }
 
 bool CameraRays::make(double x, double y, Ray& ray, const CameraSample& sample) const {
@@ -160,7 +157,9 @@ float CameraRays::depth(const Ray& ray, float t) const {
         w += projection[k].w * point[k];
     }
     const double depth = (z / w + 1.0) / 2.0;
-    return depth > 0.0 ? float(std::min(depth, 1.0)) : 0.0f; // NaN: 0
+    const double inRange = depth > 0.0 ? std::min(depth, 1.0) : 0.0; // NaN: 0
+    const double near = frame_.depthNear, far = frame_.depthFar;
+    return float(near + inRange * (far - near));
 }
 
 } // namespace smart

@@ -7,8 +7,10 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include "libsmart/render/fragments.h"
 #include "libsmart/render/frame_shading.h"
 #include "libsmart/render/framebuffer.h"
 #include "libsmart/scene/scene.h"
@@ -21,6 +23,20 @@ namespace smart {
 struct Viewport {
     int32_t x = 0, y = 0;
     uint32_t width = 0, height = 0;
+
+    bool operator==(const Viewport&) const = default;
+    bool contains(uint32_t column, uint32_t row) const {
+        const int64_t i = int64_t(column) - x, j = int64_t(row) - y;
+        return i >= 0 && i < int64_t(width) && j >= 0 && j < int64_t(height);
+    }
+};
+
+/// What is written to the buffers before a layer's primitives.
+struct BufferClear {
+    std::optional<Viewport> scissor; ///< empty: the whole picture
+    bool colorMask[4] = {false, false, false, false};
+    glm::vec4 color{0.0f};
+    std::optional<float> depth;
 };
 
 /// The camera of OpenGL: the eye at the origin of eye space, rays from the near to the far plane.
@@ -30,7 +46,16 @@ struct MatrixCamera {
     glm::dmat4 inverse{1.0}; ///< of projection; a singular projection is refused earlier
 };
 
-/// Everything one picture needs; nothing in it changes while a worker holds it.
+/// What the state blocks of a layer's instances ask of its camera rays.
+struct LayerNeeds {
+    bool collects = false; ///< all hits of a ray matter, not the nearest alone
+    bool sifts = false;    ///< hits may not count: culled, clipped, not filled
+};
+LayerNeeds findLayerNeeds(const Scene& scene);
+
+/// Everything one picture needs; nothing in it changes while a worker holds it. It may be made of
+/// layers, each a frame with its own scene and camera, which are drawn over each other; the frame
+/// itself is the topmost.
 struct Frame {
     uint64_t id = 0;
     ScenePtr scene;
@@ -48,15 +73,36 @@ struct Frame {
     uint32_t recursionLimit = 8; ///< generations of secondary rays; kMaxRecursion at most
     float weightCutoff = 1.0f / 512.0f;
     PixelTarget target;
+
+    // Of layers; an ordinary frame has none of it.
+    std::vector<std::shared_ptr<const Frame>> below; ///< bottom first; below those is nothing
+    float clearDepth = 1.0f;        ///< of the whole picture at the start, as clearColor is
+    std::vector<BufferClear> clears; ///< before this layer, in this order
+    std::optional<Viewport> scissor; ///< pixels that the layer may change; empty: all
+    float depthNear = 0.0f, depthFar = 1.0f; ///< window depth of the near and the far plane
+    uint32_t firstInstance = 0;              ///< number of its first instance in the picture
+    bool drawsColor = true;
+    std::shared_ptr<const FragmentSource> primitives; ///< nullptr: none
+
     /// Keeps what the shaders of models and replacements need alive.
     std::vector<std::shared_ptr<const void>> keepAlive;
 
     /// What the shaders amount to; found at the first question. Thread-safe.
-    const FrameShading& shading() const;
+    const FrameShading& shading() const { return found().shading; }
+    /// What its instances' state blocks ask for; likewise.
+    const LayerNeeds& needs() const { return found().needs; }
+    /// Whether more is to be done than to show the nearest hit of each ray.
+    bool isLayered() const;
 
 private:
-    mutable std::once_flag shadingOnce_;
-    mutable FrameShading shading_;
+    struct Found {
+        FrameShading shading;
+        LayerNeeds needs;
+    };
+    const Found& found() const;
+
+    mutable std::once_flag foundOnce_;
+    mutable Found found_;
 };
 
 /// A larger recursionLimit counts as this: threads have stacks of limited size.

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "libsmart/shading/fixed_function.h"
+
 namespace smart {
 namespace {
 
@@ -82,6 +84,15 @@ FrameShading findFrameShading(const Scene& scene, const ShaderTable& shaders,
     }
     shading.transparent = std::ranges::any_of(
         shading.surfaces, [](const ShaderObject* surface) { return mayLetLightPass(*surface); });
+    const FixedState* last = nullptr;
+    for (const Instance& instance : scene.group().instances()) {
+        const FixedState* state = instance.state.get();
+        if (!state || state == last) continue;
+        last = state;
+        shading.fixedFunction = true;
+        shading.blended |= letsThrough(state->ops);
+    }
+    shading.transparent |= shading.blended;
     for (const auto& light : lights) {
         const uint32_t samples = samplesOf(*light);
         for (uint32_t i = 0; i < samples; ++i) shading.lights.push_back({light.get(), i, samples});

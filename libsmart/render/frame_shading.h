@@ -27,6 +27,8 @@ struct FrameShading {
     int (*commonShade)(const void*, RTSstate*) = nullptr;
     bool complete = true;     ///< every triangle has a surface shader
     bool transparent = false; ///< some of the surfaces may let light pass
+    bool fixedFunction = false; ///< some instances have state blocks
+    bool blended = false;       ///< of which some let what is behind shine through
     std::vector<LightPart> lights;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 
 namespace smart {
 
@@ -47,6 +48,14 @@ struct TilePixels {
     float distance[kCount];
     glm::vec3 normal[kCount];
     uint32_t objectId[kCount], instanceId[kCount], primitiveId[kCount];
+    /// As where no ray hits anything; the colour stays.
+    void setMiss(uint32_t entry) {
+        depth[entry] = 1.0f;
+        distance[entry] = std::numeric_limits<float>::infinity();
+        normal[entry] = glm::vec3(0.0f);
+        objectId[entry] = instanceId[entry] = primitiveId[entry] = 0xFFFFFFFFu;
+    }
+
     uint64_t primaryRays = 0, shadowRays = 0, secondaryRays = 0; ///< of this tile
     uint64_t badPixels = 0; ///< pixels of faulty shaders or with radiance that is not finite
 };

@@ -34,6 +34,12 @@ template <class Shading>
 void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const RayGroup& rays,
                                           uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
                                           ShadedSample* found) {
+    if (shading_.fixedFunction) {
+        const uint32_t fixed = fixedLanes(surface, rays, lanes);
+        shadeFixed(rays, fixed, colors, found);
+        lanes &= ~fixed;
+        if (lanes == 0) return;
+    }
     if (surface && Shading::shadesPackets(*surface) && asPacket(lanes, rays.depth) &&
         shadePacket(*surface, rays, lanes, colors, found))
         return;
@@ -46,6 +52,12 @@ void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const Ray
 template <class Shading>
 void ShadingServices<Shading>::shadeRays(const RayGroup& rays, uint32_t lanes,
                                          glm::vec4 (&colors)[kPacketSize]) {
+    if (shading_.blended) {
+        forEach(lanes, [&](int i) {
+            colors[i] = shadeRay(rays.ray[i], rays.hit[i], rays.path(i), nullptr);
+        });
+        return;
+    }
     const ShaderObject* surfaces[kPacketSize];
     uint32_t hits = 0;
     forEach(lanes, [&](int i) {

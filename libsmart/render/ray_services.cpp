@@ -12,6 +12,13 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// The order in which triangles were given: a model's own before those of its children.
+bool submittedBefore(const Hit& a, const Hit& b) {
+    for (uint32_t level = 0; level < a.levels && level < b.levels; ++level)
+        if (a.path[level] != b.path[level]) return a.path[level] < b.path[level];
+    return a.levels != b.levels ? a.levels < b.levels : a.triangle < b.triangle;
+}
+
 template <class Vector>
 void copy(float (&to)[3], const Vector& from) {
     for (int k = 0; k < 3; ++k) to[k] = from[k];
@@ -31,6 +38,7 @@ RayServices::RayServices(const Frame& frame, TilePixels& counters, ShadingForm f
     : frame_(frame),
       shading_(frame.shading()),
       counters_(counters),
+      fixed_(frame),
       kernels_(kernels()),
       precision_(std::size_t(frame.scene->precision())),
       recursionLimit_(std::min(frame.recursionLimit, kMaxRecursion)),
@@ -65,14 +73,20 @@ void RayServices::atNoSurface(PixelSample& sample, PointState& point) {
 }
 
 void RayServices::atHit(const Ray& ray, const Hit& hit, const PathState& path, PointState& point) {
-    beginState(ray, path, point);
     point.chain = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
+    SurfaceTriangle triangle(point.chain);
+    placeAt(ray, hit, path, triangle, point);
+}
+
+void RayServices::placeAt(const Ray& ray, const Hit& hit, const PathState& path,
+                          SurfaceTriangle& triangle, PointState& point) {
+    beginState(ray, path, point);
     point.start.cone = path.cone.after(hit.t);
     point.start.chain = &point.chain;
     point.start.u = hit.u;
     point.start.v = hit.v;
     point.state.footprint = point.start.cone.width;
-    fillSurfacePoint(point.chain, hit.path[0], ray, hit.t, hit.u, hit.v, point.state);
+    fillSurfacePoint(triangle, hit.path[0], ray, hit.t, hit.u, hit.v, point.state);
 }
 
 bool RayServices::makeCameraRay(const CameraRays& camera, double x, double y, PixelSample& sample,
@@ -133,6 +147,24 @@ Hit RayServices::findHit(const Ray& ray) const {
     Hit hit;
     kernels_.intersect1[precision_](frame_.scene->view(), ray, hit);
     return hit;
+}
+
+std::span<const Hit> RayServices::findAllHits(const Ray& ray, std::vector<Hit>& memory) const {
+    constexpr std::size_t kAtFirst = 64;
+    if (memory.size() < kAtFirst) memory.resize(kAtFirst);
+    HitList list{};
+    while (true) {
+        list = {memory.data(), uint32_t(memory.size()), 0};
+        kernels_.intersectAll1[precision_](frame_.scene->view(), ray, list);
+        if (list.count <= list.capacity) break;
+        memory.resize(list.count);
+    }
+    const auto end = memory.begin() + list.count;
+    std::sort(memory.begin(), end, submittedBefore);
+    const auto last = std::unique(memory.begin(), end, [](const Hit& a, const Hit& b) {
+        return !submittedBefore(a, b); // sorted: not before is the same
+    });
+    return {memory.begin(), last};
 }
 
 bool RayServices::isOccluded(const Ray& ray) const {

@@ -6,9 +6,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/render/camera_rays.h"
+#include "libsmart/render/fixed_function_shader.h"
 #include "libsmart/render/frame.h"
 #include "libsmart/render/point_packet.h"
 #include "libsmart/render/ray_group.h"
@@ -105,6 +108,8 @@ public:
     void findHits(RayGroup& rays, uint32_t lanes) const;
     /// The same for the kTilePackets groups of neighbouring camera rays.
     void findTileHits(RayGroup* groups, const uint32_t* lanes) const;
+    /// All that a ray meets, each triangle once, in order of submission. They lie in `memory`.
+    std::span<const Hit> findAllHits(const Ray& ray, std::vector<Hit>& memory) const;
     /// The surface shader of what a ray hit; nullptr: there is none.
     const ShaderObject* findSurface(const Hit& hit);
     /// What the given rays see that met nothing.
@@ -139,6 +144,9 @@ protected:
     }
     /// Sets the state to a ray that has met nothing yet.
     void beginState(const Ray& ray, const PathState& path, PointState& point);
+    /// atHit for a point whose chain, and the triangle made of it, are set already.
+    void placeAt(const Ray& ray, const Hit& hit, const PathState& path, SurfaceTriangle& triangle,
+                 PointState& point);
     /// Whether rays may start there; none is traced for transparency.
     static bool mayTrace(const RTSstate& state) {
         return startOf(state).mayTrace && !(state.flags & RTS_STOPPED);
@@ -153,6 +161,21 @@ protected:
     bool isOccluded(const Ray& ray) const;
     const ShaderObject* findSurface(const HitChain& chain) const;
     glm::vec4 shadeMiss(const Ray& ray, const PathState& path);
+
+    // Fixed function with a state block; see fixed_services.cpp.
+    /// The block of a hit's outermost instance; nullptr: none.
+    const FixedState* stateOf(const Hit& hit) const {
+        return frame_.scene->group().instances()[hit.path[0]].state.get();
+    }
+    bool isFixed(const HitChain& chain) const {
+        return shading_.fixedFunction && chain.instances[0]->state && effectiveShader(chain) == 0;
+    }
+    /// Among lanes whose hits have the given surface, those that fixed function shades.
+    uint32_t fixedLanes(const ShaderObject* surface, const RayGroup& rays, uint32_t lanes) const;
+    void shadeFixed(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
+                    ShadedSample* found);
+    /// What such a surface leaves of light.
+    glm::vec3 fixedTransparency(const Ray& ray, const Hit& hit, const PathState& path);
 
     static PointPacket& packetOf(const RTSpacket& packet) {
         return *static_cast<PointPacket*>(packet.tracer);
@@ -173,6 +196,7 @@ protected:
     const Frame& frame_;
     const FrameShading& shading_;
     TilePixels& counters_;
+    FixedFunctionShader fixed_;
     const KernelTable& kernels_;
     const std::size_t precision_;
     const uint32_t recursionLimit_;

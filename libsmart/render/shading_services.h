@@ -50,6 +50,10 @@ private:
                      glm::vec4 (&colors)[kPacketSize], ShadedSample* found);
     /// What rays see, whatever they met.
     void shadeRays(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
+    /// What a ray sees by itself: by depth through what is blended.
+    glm::vec4 shadeRay(const Ray& ray, const Hit& hit, const PathState& path,
+                       ShadedSample* found);
+    glm::vec4 shadeBlended(Ray ray, Hit hit, const PathState& path, ShadedSample* found);
     glm::vec3 attenuate(Ray ray, const PathState& path);
     void attenuate(RayGroup& rays, uint32_t lanes, glm::vec3 (&products)[kPacketSize]);
     glm::vec3 transparency(const Ray& ray, const Hit& hit, const PathState& path);
@@ -60,8 +64,7 @@ ShadedSample ShadingServices<Shading>::traceCameraRay(const Ray& ray, const Path
     ++counters_.primaryRays;
     const Hit hit = findHit(ray);
     ShadedSample sample;
-    sample.color =
-        hit.triangle == kNoHit ? shadeMiss(ray, path) : shadeHit(ray, hit, path, &sample);
+    sample.color = shadeRay(ray, hit, path, &sample);
     sample.judge(*path.sample);
     return sample;
 }
@@ -73,6 +76,7 @@ glm::vec4 ShadingServices<Shading>::shadeHit(const Ray& ray, const Hit& hit, con
     atHit(ray, hit, path, point);
     RTSstate& state = point.state;
     if (found) found->describe(hit, state);
+    if (isFixed(point.chain)) return fixed_.shade(point);
     const ShaderObject* shader = findSurface(point.chain);
     if (shader) fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, state);
     if (!shader || Shading::template shade<ShadingServices>(*shader, state) != 0) {
@@ -80,6 +84,43 @@ glm::vec4 ShadingServices<Shading>::shadeHit(const Ray& ray, const Hit& hit, con
         return {0.0f, 0.0f, 0.0f, 1.0f};
     }
     return {state.result[0], state.result[1], state.result[2], state.result[3]};
+}
+
+template <class Shading>
+glm::vec4 ShadingServices<Shading>::shadeRay(const Ray& ray, const Hit& hit, const PathState& path,
+                                             ShadedSample* found) {
+    if (hit.triangle == kNoHit) return shadeMiss(ray, path);
+    return shading_.blended ? shadeBlended(ray, hit, path, found)
+                            : shadeHit(ray, hit, path, found);
+}
+
+template <class Shading>
+glm::vec4 ShadingServices<Shading>::shadeBlended(Ray ray, Hit hit, const PathState& path,
+                                                 ShadedSample* found) {
+    glm::vec3 sum(0.0f), left(1.0f);
+    float alphaLeft = 1.0f;
+    Crossings crossings;
+    for (int i = 0; i < kMaxTransparentHits; ++i) {
+        if (hit.triangle == kNoHit) {
+            const glm::vec4 color = shadeMiss(ray, path);
+            return {sum + left * glm::vec3(color), 1.0f - alphaLeft * (1.0f - color.a)};
+        }
+        if (crossings.add(hit)) {
+            const glm::vec4 color = shadeHit(ray, hit, path, found);
+            found = nullptr;
+            const FixedState* state = stateOf(hit);
+            if (!state || !letsThrough(state->ops))
+                return {sum + left * glm::vec3(color), 1.0f - alphaLeft * (1.0f - color.a)};
+            const FixedBlend blend = blendOf(state->ops, color);
+            sum += left * blend.own;
+            left *= blend.through;
+            alphaLeft *= 1.0f - color.a;
+            if (left == glm::vec3(0.0f)) break;
+        }
+        ray.tNear = crossings.beyond(hit);
+        hit = findHit(ray);
+    }
+    return {sum, 1.0f - alphaLeft};
 }
 
 // What transparent surfaces leave of the light: the nearest hits one after the other.
@@ -102,6 +143,7 @@ template <class Shading>
 glm::vec3 ShadingServices<Shading>::transparency(const Ray& ray, const Hit& hit,
                                                  const PathState& path) {
     const HitChain chain = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
+    if (isFixed(chain)) return fixedTransparency(ray, hit, path);
     const ShaderObject* shader = findSurface(chain);
     if (!shader || !Shading::answersTransparency(*shader)) return glm::vec3(0.0f);
     PointState point;
@@ -129,8 +171,7 @@ int ShadingServices<Shading>::trace(RTSstate* state, const float origin[3],
     ++self.counters_.secondaryRays;
     const Hit hit = self.findHit(ray);
     const PathState path = onward(*state, share);
-    const glm::vec4 color = hit.triangle == kNoHit ? self.shadeMiss(ray, path)
-                                                   : self.shadeHit(ray, hit, path, nullptr);
+    const glm::vec4 color = self.shadeRay(ray, hit, path, nullptr);
     for (int k = 0; k < 3; ++k) radiance[k] = color[k];
     return 1;
 }

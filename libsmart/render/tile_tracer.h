@@ -85,12 +85,7 @@ template <class Shading>
 bool TileTracer<Shading>::clear(uint32_t i, uint32_t j) {
     const uint32_t entry = j * kTileSize + i;
     pixels_.color[entry] = frame_.clearColor;
-    pixels_.depth[entry] = 1.0f;
-    pixels_.distance[entry] = std::numeric_limits<float>::infinity();
-    pixels_.normal[entry] = glm::vec3(0.0f);
-    pixels_.objectId[entry] = kNoId;
-    pixels_.instanceId[entry] = kNoId;
-    pixels_.primitiveId[entry] = kNoId;
+    pixels_.setMiss(entry);
     return camera_.covers(tile_.x + i, tile_.y + j);
 }
 

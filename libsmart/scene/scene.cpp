@@ -42,11 +42,13 @@ private:
 
 } // namespace
 
-Scene::Scene(std::vector<Instance> instances, Precision precision, unsigned threads)
+Scene::Scene(std::vector<Instance> instances, Precision precision, unsigned threads,
+             bool lastOfEqual)
     : precision_(precision) {
     const auto start = std::chrono::steady_clock::now();
     group_ = InstanceGroup(std::move(instances), threads);
     group_.show(view_);
+    view_.lastOfEqual = lastOfEqual;
     if (precision == Precision::Fast) {
         for (const Instance& instance : group_.instances()) {
             if (instance.model) instance.model->prepareFastRecords();

@@ -8,6 +8,8 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 
+#include "libsmart/shading/corner_attributes.h"
+
 namespace smart {
 
 namespace {
@@ -27,43 +29,8 @@ void store(float (&to)[3], const glm::dvec3& from) {
 
 glm::dvec3 vertex(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-/// Attributes of a hit's three vertices, by the rule that what an object did not set comes from
-/// its instance, and what that one's parent did not set either from the instance above it.
-class Corners {
-public:
-    explicit Corners(const HitChain& chain) : chain_(chain), shading_(chain.model->shading) {}
-
-    template <class T>
-    void get(const std::vector<T>& values, uint32_t first, bool InheritedAttributes::*own,
-             T InheritedAttributes::*inherited, T (&corners)[3]) const {
-        for (int i = 0; i < 3; ++i) {
-            const T* value = find(values, first, i);
-            corners[i] = value ? *value : inheritedValue(own, inherited);
-        }
-    }
-    /// nullptr: the vertex has none of its own.
-    template <class T>
-    const T* find(const std::vector<T>& values, uint32_t first, int corner) const {
-        if (values.empty() || first == ShadingData::kNone || shading_.corners.empty())
-            return nullptr;
-        const uint32_t number = shading_.corners[chain_.triangle][std::size_t(corner)];
-        return number < first ? nullptr : &values[number - first];
-    }
-
-private:
-    template <class T>
-    T inheritedValue(bool InheritedAttributes::*own, T InheritedAttributes::*inherited) const {
-        uint32_t level = chain_.levels - 1;
-        while (level > 0 && !(chain_.instances[level]->inherited.*own)) --level;
-        return chain_.instances[level]->inherited.*inherited;
-    }
-
-    const HitChain& chain_;
-    const ShadingData& shading_;
-};
-
 /// Shading normal in the world, as interpolation leaves it; false: no vertex has a normal.
-bool interpolateNormal(SurfaceTriangle& triangle, const Corners& corners,
+bool interpolateNormal(SurfaceTriangle& triangle, const CornerAttributes& corners,
                        const glm::dvec3& weights, glm::dvec3& normal) {
     const HitChain& chain = triangle.chain();
     const ShadingData& shading = chain.model->shading;
@@ -173,7 +140,7 @@ void fillSurfacePoint(SurfaceTriangle& triangle, uint32_t instance, const Ray& r
     store(state.geometricNormal, geometric);
     state.frontFace = glm::dot(direction, geometric) > 0 ? 0u : 1u;
 
-    const Corners corners(chain);
+    const CornerAttributes corners(chain);
     glm::dvec3 normal;
     if (interpolateNormal(triangle, corners, weights, normal)) {
         store(state.rawNormal, normal);

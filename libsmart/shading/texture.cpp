@@ -95,6 +95,12 @@ glm::vec4 borderTexel(const glm::vec4& color, const TextureImage& image) {
     return border;
 }
 
+TexelFormat formatOf(uint32_t channels) {
+    constexpr TexelFormat kFormats[] = {TexelFormat::Luminance, TexelFormat::LuminanceAlpha,
+                                        TexelFormat::Rgb, TexelFormat::Rgba};
+    return kFormats[channels - 1];
+}
+
 } // namespace
 
 /// Where a look-up goes to.
@@ -106,6 +112,7 @@ Texture::Texture(std::shared_ptr<const TextureLevels> levels, const TextureOptio
     : levels_(std::move(levels)), options_(options),
       border_(borderTexel(options.border, levels_->first())) {
     TextureOptions& o = options_;
+    if (o.format == TexelFormat::ByChannels) o.format = formatOf(levels_->first().channels());
     if (std::isnan(o.minLevel)) o.minLevel = TextureOptions().minLevel;
     if (std::isnan(o.maxLevel)) o.maxLevel = TextureOptions().maxLevel;
     if (std::isnan(o.levelBias)) o.levelBias = 0;

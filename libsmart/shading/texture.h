@@ -30,6 +30,14 @@ struct MinificationFilter {
     bool operator==(const MinificationFilter&) const = default;
 };
 
+/// OpenGL's base internal formats: what the components of a texel stand for.
+enum class TexelFormat : uint8_t {
+    ByChannels, ///< luminance, luminance and alpha, RGB, or RGBA, as many as there are
+    Alpha,      ///< of images with four channels, the others 0
+    Intensity,  ///< of images with four equal channels
+    Luminance, LuminanceAlpha, Rgb, Rgba
+};
+
 struct TextureOptions {
     TextureWrap wrapS = TextureWrap::Repeat, wrapT = TextureWrap::Repeat;
     TextureFilter magnification = TextureFilter::Linear;
@@ -38,8 +46,10 @@ struct TextureOptions {
     float levelBias = 0.0f;                   ///< added to the level of detail; within +-kMaxBias
     float minLevel = -1000.0f, maxLevel = 1000.0f; ///< limits of the level of detail
     uint32_t firstLevel = 0, lastLevel = 1000;     ///< of the levels, those that are used
+    TexelFormat format = TexelFormat::ByChannels;
 
     static constexpr float kMaxBias = 16.0f;
+    bool operator==(const TextureOptions&) const = default;
 };
 
 /// Images and how they are looked up; immutable once made.
@@ -62,6 +72,8 @@ public:
 
     const TextureLevels& levels() const { return *levels_; }
     const TextureOptions& options() const { return options_; }
+    /// Never ByChannels.
+    TexelFormat format() const { return options_.format; }
     /// Memory held now; textures that share levels each count them.
     std::size_t bytes() const { return levels_->bytes(); }
     /// The same images, looked up differently.

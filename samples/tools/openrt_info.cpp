@@ -132,7 +132,7 @@ bool checkPackets(const std::string& file) {
 }
 
 void printLibrary() {
-    std::cout << "OpenRT " << text(RT_VERSION) << ", shader interface " << RTS_INTERFACE_VERSION
+    std::cout << "OpenRT " << OPENRT_VERSION_STRING << ", shader interface " << RTS_INTERFACE_VERSION
               << '.' << RTS_INTERFACE_REVISION << '\n'
               << "instruction set: " << text(RT_ISA) << " (available: " << text(RT_ISA_NAMES)
               << ")\n"

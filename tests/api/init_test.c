@@ -61,7 +61,7 @@ int main(void) {
     CHECK_ERROR(RT_NO_ERROR);
     CHECK(strlen((const char *)rtGetString(RT_VENDOR)) > 0);
     CHECK(strlen((const char *)rtGetString(RT_RENDERER)) > 0);
-    CHECK(strcmp((const char *)rtGetString(RT_VERSION), OPENRT_VERSION_STRING) == 0);
+    CHECK(strcmp((const char *)rtGetString(RT_VERSION), "1.5 OpenRT " OPENRT_VERSION_STRING) == 0);
     rtExit();
     return failureCount;
 }

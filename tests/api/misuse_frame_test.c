@@ -91,6 +91,25 @@ static RTuint progressUnknown(void) { return (RTuint)rtFrameProgress(4000000000u
 static RTuint cancelUnknown(void) { return rtCancelFrame(4000000000u), 0u; }
 static RTuint frameCallback(void) { return rtSetFrameCallback(NULL, NULL), 0u; }
 static RTuint clear(void) { return rtClear(RT_COLOR_BUFFER_BIT), 0u; }
+static RTuint clearUnknown(void) { return rtClear(RT_COLOR_BUFFER_BIT | 1u << 31), 0u; }
+static RTuint clearDepth(void) { return rtClearDepth(0.5), 0u; }
+static RTuint scissor(void) { return rtScissor(1, 2, 3, 4), 0u; }
+static RTuint scissorNegative(void) { return rtScissor(1, 2, 3, -4), 0u; }
+static RTuint depthRange(void) { return rtDepthRange(0.25, 0.5), 0u; }
+static RTuint drawUnknown(void) { return rtDrawBuffer(RT_TRIANGLES), 0u; }
+static RTuint drawRight(void) { return rtDrawBuffer(RT_RIGHT), 0u; }
+static RTuint readNone(void) { return rtReadBuffer(RT_NONE), 0u; }
+static RTuint readPixels(void) {
+    unsigned char pixel[4];
+    return rtReadPixels(0, 0, 1, 1, RT_RGBA, RT_UNSIGNED_BYTE, pixel), 0u;
+}
+static RTuint readNull(void) {
+    return rtReadPixels(0, 0, 1, 1, RT_RGBA, RT_UNSIGNED_BYTE, NULL), 0u;
+}
+static RTuint readUnknown(void) {
+    return rtReadPixels(0, 0, 1, 1, RT_RGBA, RT_TRIANGLES, framePixels), 0u;
+}
+static RTuint copyDepth(void) { return rtCopyPixels(0, 0, 1, 1, RT_DEPTH), 0u; }
 
 int main(void) {
     static const Misuse misuses[] = {
@@ -171,7 +190,21 @@ int main(void) {
         MISUSE(cancelUnknown, IN_FLIGHT, RT_INVALID_VALUE),
         MISUSE(cancelUnknown, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(frameCallback, IN_PRIMITIVE, RT_INVALID_OPERATION),
-        MISUSE(clear, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(clear, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(clear, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(clearUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(clearDepth, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(scissor, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(scissorNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(depthRange, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(drawUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(drawRight, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(readNone, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(readPixels, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(readPixels, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(readNull, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(readUnknown, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(copyDepth, OUTSIDE, RT_INVALID_OPERATION),
     };
     return CHECK_MISUSES(misuses);
 }

@@ -21,9 +21,10 @@ static RTuint vertexWithLight(void) {
     rtBindShader(0);
     return 0;
 }
-static RTuint arrayElement(void) { return rtArrayElement(0), 0u; }
-static RTuint drawArrays(void) { return rtDrawArrays(RT_TRIANGLES, 0, 3), 0u; }
+static RTuint drawArrays(void) { return rtDrawArrays(RT_TRIANGLES, 0, -3), 0u; }
+static RTuint drawArraysMode(void) { return rtDrawArrays(0xABCD, 0, 3), 0u; }
 static RTuint newList(void) { return rtNewList(1, RT_COMPILE), 0u; }
+static RTuint newListZero(void) { return rtNewList(0, RT_COMPILE), 0u; }
 
 int main(void) {
     static const Misuse misuses[] = {
@@ -32,7 +33,7 @@ int main(void) {
         MISUSE(beginUnknown, IN_OBJECT, RT_INVALID_ENUM),
         MISUSE(beginUnknown, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(beginOpenGlTriangles, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(beginPoints, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(beginPoints, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(end, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(end, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(vertex, OUTSIDE, RT_INVALID_OPERATION),
@@ -43,9 +44,10 @@ int main(void) {
         MISUSE(colorNull, IN_PRIMITIVE, RT_INVALID_VALUE),
         MISUSE(texCoordNull, IN_OBJECT, RT_INVALID_VALUE),
         MISUSE(vertexWithLight, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(arrayElement, IN_PRIMITIVE, RT_INVALID_OPERATION),
-        MISUSE(drawArrays, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(newList, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(drawArrays, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(drawArraysMode, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(newList, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(newListZero, OUTSIDE, RT_INVALID_VALUE),
     };
     return CHECK_MISUSES(misuses);
 }

@@ -4,18 +4,19 @@
 #include "misuse.h"
 
 static RTuint enableUnknown(void) { return rtEnable(0xABCD), 0u; }
-static RTuint enableLighting(void) { return rtEnable(RT_LIGHTING), 0u; }
-static RTuint enableShadows(void) { return rtEnable(RT_SHADOWS), 0u; }
-static RTuint disableDepth(void) { return rtDisable(RT_DEPTH_TEST), 0u; }
+static RTuint enableStencil(void) { return rtEnable(RT_STENCIL_TEST), 0u; }
+static RTuint enable3D(void) { return rtEnable(RT_TEXTURE_3D), 0u; }
+static RTuint enableArray(void) { return rtEnable(RT_VERTEX_ARRAY), 0u; }
+static RTuint disableUnknown(void) { return rtDisable(0xABCD), 0u; }
 static RTuint isEnabledUnknown(void) { return rtIsEnabled(0xABCD); }
-static RTuint isEnabledFog(void) { return rtIsEnabled(RT_FOG); }
+static RTuint isEnabled(void) { return rtIsEnabled(RT_FOG); }
 static RTuint enable(void) { return rtEnable(RT_MULTISAMPLE), 0u; }
 static RTuint viewportNegative(void) { return rtViewport(0, 0, -1, 4), 0u; }
 static RTuint viewport(void) { return rtViewport(0, 0, 4, 4), 0u; }
 static RTuint clearColor(void) { return rtClearColor(1, 1, 1, 1), 0u; }
 static RTuint hintUnknown(void) { return rtHint(0xABCD, RT_NICEST), 0u; }
 static RTuint hintMode(void) { return rtHint(RT_PRECISION_HINT, RT_TRUE), 0u; }
-static RTuint hintFog(void) { return rtHint(RT_FOG_HINT, RT_NICEST), 0u; }
+static RTuint hintFogMode(void) { return rtHint(RT_FOG_HINT, RT_TRUE), 0u; }
 static RTuint hint(void) { return rtHint(RT_PRECISION_HINT, RT_FASTEST), 0u; }
 static RTuint stringUnknown(void) { return rtGetString(0xABCD) ? 1u : 0u; }
 static RTuint string(void) { return rtGetString(RT_VERSION) ? 1u : 0u; }
@@ -26,7 +27,7 @@ static RTuint getUnknown(void) {
 }
 static RTuint getRefused(void) {
     RTint value = 7;
-    rtGetIntegerv(RT_MAX_LIGHTS, &value);
+    rtGetIntegerv(RT_MAP1_GRID_SEGMENTS, &value);
     return value == 7 ? 0 : 1;
 }
 static RTuint getNull(void) { return rtGetDoublev(RT_CURRENT_COLOR, NULL), 0u; }
@@ -40,7 +41,8 @@ static RTuint getError(void) { return rtGetError(); }
 static RTuint init(void) { return rtInit(NULL, NULL), 0u; }
 
 static RTuint textureTarget(void) { return rtBindTexture(0xABCD, 1), 0u; }
-static RTuint texture1D(void) { return rtBindTexture(RT_TEXTURE_1D, 1), 0u; }
+static RTuint texture3D(void) { return rtBindTexture(RT_TEXTURE_3D, 1), 0u; }
+static RTuint textureOther(void) { return rtBindTexture(RT_TEXTURE_1D, ids.texture), 0u; }
 static RTuint textureId(void) { return rtBindTexture(RT_TEXTURE_2D, 4000000000u), 0u; }
 static RTuint bindTexture(void) { return rtBindTexture(RT_TEXTURE_2D, 0), 0u; }
 static RTuint genNegative(void) {
@@ -62,13 +64,17 @@ static RTuint imageLevelLarge(void) {
     return image(14, RT_RGB, 2, 0, RT_RGB, RT_UNSIGNED_BYTE);
 }
 static RTuint imageInternal(void) { return image(0, 99, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
-static RTuint imageAlpha(void) { return image(0, RT_ALPHA8, 1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
+static RTuint imageDepth(void) {
+    return image(0, RT_DEPTH_COMPONENT, 1, 0, RT_RGB, RT_UNSIGNED_BYTE);
+}
 static RTuint imageNegative(void) { return image(0, RT_RGB, -1, 0, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageLarge(void) { return image(0, RT_RGB, 1 << 20, 0, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageBorder(void) { return image(0, RT_RGB, 3, 1, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageBorderTwo(void) { return image(0, RT_RGB, 3, 2, RT_RGB, RT_UNSIGNED_BYTE); }
 static RTuint imageFormat(void) { return image(0, RT_RGB, 1, 0, 0xABCD, RT_UNSIGNED_BYTE); }
-static RTuint imageRed(void) { return image(0, RT_RGB, 1, 0, RT_RED, RT_UNSIGNED_BYTE); }
+static RTuint imageIndex(void) {
+    return image(0, RT_RGB, 1, 0, RT_COLOR_INDEX, RT_UNSIGNED_BYTE);
+}
 static RTuint imageType(void) { return image(0, RT_RGB, 1, 0, RT_RGB, 0xABCD); }
 static RTuint imageInt(void) { return image(0, RT_RGB, 1, 0, RT_RGB, RT_INT); }
 static RTuint part(RTint level, RTint x, RTsizei width, RTenum format, RTenum type,
@@ -102,8 +108,8 @@ static RTuint parameterMag(void) {
 static RTuint parameterBorder(void) {
     return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_BORDER_COLOR, 1), 0u;
 }
-static RTuint parameterWrapR(void) {
-    return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_R, RT_REPEAT), 0u;
+static RTuint parameterDepth(void) {
+    return rtTexParameteri(RT_TEXTURE_2D, RT_DEPTH_TEXTURE_MODE, RT_LUMINANCE), 0u;
 }
 static RTuint parameterBase(void) {
     return rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_BASE_LEVEL, -1), 0u;
@@ -139,9 +145,10 @@ static RTuint getLevelLevel(void) {
 static RTuint storeUnknown(void) { return rtPixelStorei(0xABCD, 1), 0u; }
 static RTuint storeAlignment(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 3), 0u; }
 static RTuint storeNegative(void) { return rtPixelStoref(RT_UNPACK_ROW_LENGTH, -1), 0u; }
-static RTuint storePack(void) { return rtPixelStorei(RT_PACK_ALIGNMENT, 4), 0u; }
+static RTuint storePack(void) { return rtPixelStorei(RT_PACK_SKIP_IMAGES, 4), 0u; }
 static RTuint store(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 1), 0u; }
-static RTuint newList(void) { return rtGenLists(1); }
+static RTuint accumulate(void) { return rtAccum(RT_ACCUM, 1), 0u; }
+static RTuint select(void) { return rtRenderMode(RT_SELECT) ? 1u : 0u; }
 static RTuint map(void) { return rtMapBuffer(RT_ARRAY_BUFFER, RT_READ_ONLY) ? 1u : 0u; }
 
 static RTuint compile(void) { return rtCompileScene(); }
@@ -150,11 +157,12 @@ static RTuint release(void) { return rtReleaseScene(123456789), 0u; }
 int main(void) {
     static const Misuse misuses[] = {
         MISUSE(enableUnknown, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(enableLighting, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(enableShadows, OUTSIDE, RT_INVALID_OPERATION),
-        MISUSE(disableDepth, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(enableStencil, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(enable3D, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(enableArray, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(disableUnknown, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(isEnabledUnknown, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(isEnabledFog, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(isEnabled, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(enable, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(enable, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(viewportNegative, OUTSIDE, RT_INVALID_VALUE),
@@ -163,7 +171,7 @@ int main(void) {
         MISUSE(clearColor, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(hintUnknown, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(hintMode, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(hintFog, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(hintFogMode, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(hint, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(stringUnknown, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(string, IN_PRIMITIVE, RT_INVALID_OPERATION),
@@ -175,7 +183,8 @@ int main(void) {
         MISUSE(getError, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(init, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(textureTarget, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(texture1D, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(texture3D, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(textureOther, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(textureId, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(bindTexture, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(genNegative, OUTSIDE, RT_INVALID_VALUE),
@@ -186,13 +195,13 @@ int main(void) {
         MISUSE(imageLevels, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageLevelLarge, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageInternal, OUTSIDE, RT_INVALID_VALUE),
-        MISUSE(imageAlpha, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageDepth, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageNegative, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageLarge, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageBorder, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageBorderTwo, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(imageFormat, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(imageRed, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageIndex, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageType, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(imageInt, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(partLevel, OUTSIDE, RT_INVALID_OPERATION),
@@ -208,7 +217,7 @@ int main(void) {
         MISUSE(parameterMin, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(parameterMag, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(parameterBorder, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(parameterWrapR, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(parameterDepth, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(parameterBase, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(parameterNan, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(parameterNull, OUTSIDE, RT_INVALID_VALUE),
@@ -222,7 +231,8 @@ int main(void) {
         MISUSE(storeNegative, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(storePack, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(store, IN_PRIMITIVE, RT_INVALID_OPERATION),
-        MISUSE(newList, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(accumulate, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(select, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(map, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE_ID(compile, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(release, OUTSIDE, RT_INVALID_VALUE),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <iterator>
 
 namespace smart::compat {
 namespace {
@@ -167,6 +168,39 @@ TEST_F(GeometryRecordingTest, LatchesTriangleParametersAtTheLastVertex) {
     const ShadingData& shading = model->shading;
     EXPECT_EQ(at(shading.triangleData, shading.triangleBlocks[0]), 3);
     EXPECT_EQ(at(shading.triangleData, shading.triangleBlocks[1]), 3);
+}
+
+/// The vertex that a triangle's code names, by its x.
+float provokingX(const Model& model, uint32_t triangle) {
+    const std::vector<uint8_t>& codes = model.shading.provoking;
+    uint32_t code = codes.empty() ? uint32_t(ShadingData::kLastCorner) : codes[triangle];
+    if (code >= ShadingData::kOfNext) {
+        code -= ShadingData::kOfNext;
+        ++triangle;
+    }
+    const Triangle& t = model.triangles[triangle];
+    return code == 0 ? t.v0[0] : code == 1 ? t.v1[0] : t.v2[0];
+}
+
+// OpenGL 1.5, table 2.12. Vertices have their numbers, from 0, as x.
+TEST_F(GeometryRecordingTest, KnowsTheProvokingVertices) {
+    const auto give = [&](Primitive primitive, int count) {
+        recording_.begin(primitive);
+        for (int i = 0; i < count; ++i) vertex(float(i), float(i * i));
+    };
+    give(Primitive::Triangles, 6);
+    give(Primitive::TriangleFan, 4);
+    EXPECT_TRUE(ModelPtr(recording_.compile({}))->shading.provoking.empty()) << "the last of each";
+    give(Primitive::TriangleStrip, 4);
+    give(Primitive::Quads, 8);
+    give(Primitive::QuadStrip, 6);
+    give(Primitive::Polygon, 5);
+    give(Primitive::Triangles, 3);
+    const ModelPtr model = recording_.compile({});
+    const float expected[] = {2, 3, 3, 3, 7, 7, 3, 3, 5, 5, 0, 0, 0, 2};
+    ASSERT_EQ(model->triangles.size(), std::size(expected));
+    for (uint32_t i = 0; i < std::size(expected); ++i)
+        EXPECT_EQ(provokingX(*model, i), expected[i]) << i;
 }
 
 TEST_F(GeometryRecordingTest, CountsLevelsAndShadersOfChildren) {

@@ -10,7 +10,7 @@
 namespace smart::compat {
 namespace {
 
-constexpr int kComponents[] = {1, 2, 3, 4, 3, 4}; // of each PixelOrder
+constexpr int kComponents[] = {1, 2, 3, 4, 3, 4, 1, 1, 1, 1}; // of each PixelOrder
 
 /// Red, green, blue and alpha of a pixel by the meaning of its order; bytes of one component.
 template <class T>
@@ -22,6 +22,10 @@ std::array<T, 4> rgbaOf(const T* p, PixelOrder order, T one) {
     case PixelOrder::Rgba: return {p[0], p[1], p[2], p[3]};
     case PixelOrder::Bgr: return {p[2], p[1], p[0], one};
     case PixelOrder::Bgra: return {p[2], p[1], p[0], p[3]};
+    case PixelOrder::Red: return {p[0], 0, 0, one};
+    case PixelOrder::Green: return {0, p[0], 0, one};
+    case PixelOrder::Blue: return {0, 0, p[0], one};
+    case PixelOrder::Alpha: return {0, 0, 0, p[0]};
     }
     return {};
 }
@@ -29,7 +33,7 @@ std::array<T, 4> rgbaOf(const T* p, PixelOrder order, T one) {
 template <class T>
 void checkAll(TexelType type, T one) {
     std::mt19937 random(4);
-    for (int order = 0; order < 6; ++order) {
+    for (int order = 0; order < 10; ++order) {
         for (uint32_t channels = 1; channels <= 4; ++channels) {
             for (uint32_t alignment : {1u, 2u, 4u, 8u}) {
                 for (uint32_t rowLength : {0u, 7u}) {
@@ -90,6 +94,32 @@ TEST(PixelUnpack, SwapsBytesOfEachComponent) {
     std::memcpy(found, texels.data(), sizeof found);
     EXPECT_EQ(found[0], 0x3412);
     EXPECT_EQ(found[1], 0xCDAB);
+}
+
+/// A pixel of bytes 10, 20, 30, 40 as four channels of a format.
+std::vector<int> unpackedAs(TexelFormat format, PixelOrder order) {
+    const uint8_t source[] = {10, 20, 30, 40};
+    PixelStore store;
+    store.alignment = 1;
+    const auto texels = unpackImage({source, 1, 1, order, TexelType::Byte}, store, 4, format);
+    std::vector<int> values;
+    for (const std::byte b : texels) values.push_back(int(b));
+    return values;
+}
+
+// OpenGL 1.5, table 3.15, and section 3.6.4, "Conversion to RGB".
+TEST(PixelUnpack, FormatsTakeTheirComponents) {
+    using Values = std::vector<int>;
+    EXPECT_EQ(unpackedAs(TexelFormat::ByChannels, PixelOrder::Bgra), (Values{30, 20, 10, 40}));
+    EXPECT_EQ(unpackedAs(TexelFormat::Alpha, PixelOrder::Rgba), (Values{0, 0, 0, 40}));
+    EXPECT_EQ(unpackedAs(TexelFormat::Alpha, PixelOrder::Alpha), (Values{0, 0, 0, 10}));
+    EXPECT_EQ(unpackedAs(TexelFormat::Alpha, PixelOrder::Luminance), (Values{0, 0, 0, 255}));
+    EXPECT_EQ(unpackedAs(TexelFormat::Intensity, PixelOrder::Bgr), (Values{30, 30, 30, 30}));
+    EXPECT_EQ(unpackedAs(TexelFormat::Intensity, PixelOrder::Alpha), (Values{0, 0, 0, 0}));
+    EXPECT_EQ(unpackedAs(TexelFormat::ByChannels, PixelOrder::Red), (Values{10, 0, 0, 255}));
+    EXPECT_EQ(unpackedAs(TexelFormat::ByChannels, PixelOrder::Green), (Values{0, 10, 0, 255}));
+    EXPECT_EQ(unpackedAs(TexelFormat::ByChannels, PixelOrder::Blue), (Values{0, 0, 10, 255}));
+    EXPECT_EQ(unpackedAs(TexelFormat::ByChannels, PixelOrder::Alpha), (Values{0, 0, 0, 10}));
 }
 
 TEST(PixelUnpack, NothingIsAnImageOfZeros) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace smart::compat {
@@ -60,6 +62,7 @@ std::vector<Expected> byDefinition(Primitive primitive, uint32_t f, uint32_t n) 
             all.push_back({{i, i + 3, i + 2}, i + 3});
         }
         break;
+    default: break; // what is drawn in pixels has no triangles
     }
     return all;
 }
@@ -100,6 +103,61 @@ TEST(PrimitiveAssembler, AllTrianglesTurnTheSameWay) {
         ASSERT_EQ(found.size(), 10u);
         for (const Expected& triangle : found) EXPECT_GT(area(zigzag, triangle.corners), 0);
     }
+}
+
+using Edge = std::pair<uint32_t, uint32_t>;
+
+/// Edges to be drawn; flags are bits by vertex.
+std::multiset<Edge> edgesOf(Primitive primitive, uint32_t count, uint32_t flags) {
+    PrimitiveAssembler assembler;
+    assembler.begin(primitive);
+    std::vector<AssembledTriangle> triangles;
+    for (uint32_t i = 0; i < count; ++i) {
+        AssembledTriangle out[PrimitiveAssembler::kMaxTriangles];
+        const int made = assembler.add(i, out, (flags >> i & 1u) != 0);
+        for (int k = 0; k < made; ++k) {
+            if (out[k].extendsPolygon) triangles.back().boundary &= 3;
+            triangles.push_back(out[k]);
+        }
+    }
+    std::multiset<Edge> edges;
+    for (const AssembledTriangle& triangle : triangles)
+        for (int k = 0; k < 3; ++k)
+            if (triangle.boundary >> k & 1)
+                edges.insert({triangle.corners[k], triangle.corners[(k + 1) % 3]});
+    return edges;
+}
+
+TEST(PrimitiveAssembler, EdgesAreThoseOfThePolygon) {
+    for (uint32_t count = 3; count <= 7; ++count)
+        for (uint32_t flags = 0; flags < 1u << count; ++flags) {
+            std::multiset<Edge> polygon;
+            for (uint32_t i = 0; i < count; ++i)
+                if (flags >> i & 1u) polygon.insert({i, (i + 1) % count});
+            EXPECT_EQ(edgesOf(Primitive::Polygon, count, flags), polygon);
+        }
+    for (uint32_t flags = 0; flags < 256; ++flags) {
+        std::multiset<Edge> quads, triangles;
+        for (uint32_t i = 0; i < 8; ++i)
+            if (flags >> i & 1u) quads.insert({i, i % 4 == 3 ? i - 3 : i + 1});
+        EXPECT_EQ(edgesOf(Primitive::Quads, 8, flags), quads);
+        for (uint32_t i = 0; i < 6; ++i)
+            if (flags >> i & 1u) triangles.insert({i, i % 3 == 2 ? i - 2 : i + 1});
+        EXPECT_EQ(edgesOf(Primitive::Triangles, 6, flags), triangles);
+    }
+    // Strips ignore the flags; quads of a strip go 0, 1, 3, 2.
+    const std::multiset<Edge> strip{{0, 1}, {1, 3}, {3, 2}, {2, 0}, {2, 3}, {3, 5}, {5, 4}, {4, 2}};
+    EXPECT_EQ(edgesOf(Primitive::QuadStrip, 6, 0), strip);
+    EXPECT_EQ(edgesOf(Primitive::TriangleFan, 5, 0).size(), 9u);
+}
+
+TEST(PrimitiveAssembler, PointsAndLinesHaveNoTriangles) {
+    for (const Primitive primitive :
+         {Primitive::Points, Primitive::Lines, Primitive::LineStrip, Primitive::LineLoop}) {
+        EXPECT_FALSE(isFilled(primitive));
+        EXPECT_TRUE(edgesOf(primitive, 9, 0x1FF).empty());
+    }
+    for (const Primitive primitive : kAll) EXPECT_TRUE(isFilled(primitive));
 }
 
 } // namespace

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <functional>
 #include <new>
+#include <optional>
 
+#include "compat/recorder/display_lists.h"
 #include "compat/recorder/recorder.h"
 
 namespace {
@@ -181,6 +183,70 @@ TEST(RecorderMemory, AFailedStepChangesNothing) {
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].id, b[i].id);
     }
+}
+
+/// Keeps a list of a few hundred calls while the n-th allocation fails; whether it came about.
+bool keepsList(DisplayLists& lists, long failing) {
+    allocationsLeft = failing;
+    bool kept = true;
+    try {
+        lists.start(1, true);
+        for (int i = 0; i < 100; ++i) {
+            ListRecording& list = *lists.recording();
+            EXPECT_TRUE(list.call(ListOp::BeginFilled, {"rtBegin", nullptr, 0}));
+            EXPECT_TRUE(list.vertex({i, 0, 0, 1}));
+            EXPECT_TRUE(list.color({1, 1, 1, 1}));
+            EXPECT_TRUE(list.call(ListOp::End, {"rtEnd", nullptr, 0}));
+            EXPECT_TRUE(list.call(ListOp::Call, {"rtPopMatrix", nullptr, 0}));
+        }
+        lists.finish();
+    } catch (const std::bad_alloc&) {
+        kept = false;
+    }
+    allocationsLeft = -1;
+    EXPECT_EQ(lists.recording(), nullptr);
+    return kept;
+}
+
+TEST(RecorderMemory, ListsWithoutMemoryLoseNothingElse) {
+    DisplayLists lists;
+    lists.start(1, false);
+    lists.recording()->vertex({0, 0, 0, 1});
+    lists.finish();
+    const auto old = lists.find(1);
+    long failures = 0;
+    while (!keepsList(lists, failures)) {
+        ASSERT_EQ(lists.find(1), old) << "failure " << failures;
+        ++failures;
+    }
+    EXPECT_GT(failures, 10);
+    EXPECT_NE(lists.find(1), old);
+    EXPECT_EQ(lists.find(1)->segments().size(), 200u);
+}
+
+TEST(RecorderMemory, RunsWithoutMemoryChangeNothing) {
+    Recorder recorder;
+    recorder.color({0.5f, 0.5f, 0.5f, 1});
+    const auto run = [&recorder] {
+        recorder.begin(Primitive::Triangles);
+        recorder.color({1, 0, 0, 1});
+        for (int i = 0; i < 3; ++i) recorder.vertex({i % 2, i / 2, 0, 1});
+        recorder.end();
+    };
+    int failures = 0;
+    std::optional<CompiledRun> compiled;
+    while (!compiled) {
+        allocationsLeft = failures++;
+        try {
+            compiled.emplace(recorder.compileRun(run));
+        } catch (const std::bad_alloc&) {
+        }
+        allocationsLeft = -1;
+        EXPECT_FALSE(recorder.insideObject() || recorder.insidePrimitive());
+        EXPECT_EQ(recorder.attributes().color, glm::vec4(0.5f, 0.5f, 0.5f, 1));
+    }
+    EXPECT_GT(failures, 5);
+    EXPECT_EQ(compiled->model->triangles.size(), 1u);
 }
 
 } // namespace

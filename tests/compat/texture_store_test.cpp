@@ -156,5 +156,31 @@ TEST(TextureStore, LevelsAreMadeFromTheBaseLevelWhenItIsGiven) {
     EXPECT_EQ((*table)[1]->sample(0.5f, 0.5f, 1.0f).r * 255.0f, 50) << "frames keep theirs";
 }
 
+// OpenGL 1.5, section 3.8.10.
+TEST(TextureStore, FixedFunctionSeesCompleteTexturesOnly) {
+    TextureStore store;
+    EXPECT_EQ(store.completeBound(), nullptr) << "texture 0 has no image";
+    store.setImage(0, image(4, 2), 1);
+    EXPECT_EQ(store.completeBound(), nullptr) << "the filter of the start asks for levels";
+    setParameters(store, [](TextureParameters& p) {
+        p.options.minification = {TextureFilter::Linear, LevelChoice::First};
+    });
+    ASSERT_NE(store.completeBound(), nullptr) << "texture 0 is one too";
+    EXPECT_EQ(store.completeBound()->format(), TexelFormat::Luminance);
+    store.setImage(0, image(4, 2), 1, TexelFormat::Intensity);
+    EXPECT_EQ(store.completeBound()->format(), TexelFormat::Intensity);
+    setParameters(store, [](TextureParameters& p) {
+        p.options.minification = {TextureFilter::Linear, LevelChoice::Linear};
+    });
+    store.setImage(1, image(2, 1), 1);
+    EXPECT_EQ(store.completeBound(), nullptr);
+    store.setImage(2, image(1, 1), 1);
+    EXPECT_NE(store.completeBound(), nullptr);
+    store.setImage(1, image(2, 2), 1);
+    EXPECT_EQ(store.completeBound(), nullptr) << "a level of the wrong size";
+    store.bind(5);
+    EXPECT_EQ(store.completeBound(), nullptr);
+}
+
 } // namespace
 } // namespace smart::compat

@@ -3,9 +3,9 @@
 """Who may include whom.
 
 A layer includes itself and the layers before it:
-include/openrt < base < accel < kernel < geometry < scene < shading < render < recorder < openrt.
-Besides: the headers of the C API are for compat/openrt and applications only; what the kernels
-see has neither GLM nor containers; samples see the public headers only; every quoted include is
+include/openrt < base < accel < kernel < geometry < scene < shading < render < recorder < openrt
+< rtu < rtut. Besides: the headers of the C API are for these three and applications only; what
+the kernels see has neither GLM nor containers; samples see the public headers only; every quoted include is
 written from the root, but for programs that build alone.
 """
 import pathlib
@@ -16,7 +16,9 @@ from sources import source_files
 
 LAYERS = ["include/openrt", "libsmart/base", "libsmart/accel", "libsmart/kernel",
           "libsmart/geometry", "libsmart/scene", "libsmart/shading", "libsmart/render",
-          "compat/recorder", "compat/openrt"]
+          "compat/recorder", "compat/openrt", "compat/rtu", "compat/rtut"]
+# Those of them that are made of calls of the C API.
+ABOVE_THE_API = ("compat/openrt", "compat/rtu", "compat/rtut", "include/openrt")
 # What records and starts frames (not its types and tokens); the core has never heard of it.
 API_HEADER = re.compile(r"include/openrt/(rt\.h|rt\.hpp|rt_(?!gl_enums)\w+\.h|rtut?\.h|gl\.h)$")
 # Samples for C++ programs that use the core instead of the C interface.
@@ -92,8 +94,8 @@ class Tree:
                 found.append(f"{path} includes {target}, which is no layer below it")
             elif LAYERS.index(other) > LAYERS.index(own):
                 found.append(f"{path} includes {target}: {own} is below {other}")
-            if own not in ("compat/openrt", "include/openrt") and API_HEADER.match(target):
-                found.append(f"{path} includes {target}: for compat/openrt and applications only")
+            if own not in ABOVE_THE_API and API_HEADER.match(target):
+                found.append(f"{path} includes {target}: for the calls and applications only")
             if (own == "libsmart/kernel" and other == "libsmart/accel"
                     and target not in KERNEL_MAY_SEE):
                 found.append(f"{path} includes {target}: kernels may see kd_node.h only")

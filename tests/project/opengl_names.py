@@ -12,7 +12,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent.parent / "compat"))
 
-from generate_calls import read_table  # noqa: E402
+from generate_calls import CALL_COLUMNS, read_table  # noqa: E402
 
 # Tokens that openrt/enums.h defines itself, with OpenGL's value.
 ALSO_OPENGL = ["NO_ERROR", "BYTE", "UNSIGNED_BYTE", "SHORT", "UNSIGNED_SHORT", "INT",
@@ -48,8 +48,7 @@ def main():
     parser.add_argument("--compiler", default="cc")
     parser.add_argument("--include", action="append", required=True)
     arguments = parser.parse_args()
-    calls = read_table(arguments.root / "compat/gl_calls.csv",
-                       ["name", "result", "parameters", "version", "chapter", "status"])
+    calls = read_table(arguments.root / "compat/gl_calls.csv", CALL_COLUMNS)
     tokens = read_table(arguments.root / "compat/gl_tokens.csv",
                         ["token", "value", "version", "chapter"])
     tokens += [{"token": f"RT_{name}"} for name in ALSO_OPENGL]

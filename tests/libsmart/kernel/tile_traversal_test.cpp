@@ -20,8 +20,8 @@ public:
                         Precision precision = Precision::Watertight)
         : PlainScene({place(makeModel(std::move(triangles)))}, precision) {}
     explicit PlainScene(std::vector<Instance> instances,
-                        Precision precision = Precision::Watertight)
-        : scene_(std::move(instances), precision, 1) {}
+                        Precision precision = Precision::Watertight, bool lastOfEqual = false)
+        : scene_(std::move(instances), precision, 1, lastOfEqual) {}
 
     const Scene& scene() const { return scene_; }
     const ModelView& view() const { return scene_.view(); }
@@ -328,6 +328,9 @@ TEST(TileTraversal, EqualDistancesGoToTheLowest) {
     const ModelPtr model = makeModel(mesh);
     const PlainScene thrice({place(model), place(model), place(model)});
     expectSameFromEverywhere(thrice.scene(), "three instances in one place");
+    const PlainScene last({place(model), place(makeModel(twice)), place(model), place(model)},
+                          Precision::Watertight, true);
+    expectSameFromEverywhere(last.scene(), "the last of equal ones");
     const PlainScene nested({place(makeModel(mesh, {place(model), place(model)})), place(model)});
     expectSameFromEverywhere(nested.scene(), "nested in one place");
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "compat/openrt/texture_images.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "compat/openrt/guard.h"
+#include "compat/openrt/image_formats.h"
+
+namespace smart::compat {
+
+namespace {
+
+void checkLevel(RTint level) {
+    if (level < 0 || uint32_t(level) > TextureStore::kMaxLevel)
+        throwError(ErrorCode::InvalidValue, "levels go from 0 to 14");
+}
+
+void checkSize(RTsizei width, RTsizei height) {
+    if (width < 0 || height < 0) throwError(ErrorCode::InvalidValue, "an image's size is negative");
+}
+
+void checkSizeOfLevel(RTint level, RTsizei width, RTsizei height) {
+    checkSize(width, height);
+    const uint32_t largest = TextureStore::kMaxSize >> level;
+    if (uint32_t(width) > largest || uint32_t(height) > largest)
+        throwError(ErrorCode::InvalidValue,
+                   "images of level " + std::to_string(level) + " have " +
+                       std::to_string(largest) + " texels a side at most");
+}
+
+void checkBorder(RTint border) {
+    if (border < 0 || border > 1) throwError(ErrorCode::InvalidValue, "a border is 0 or 1");
+    if (border > 0)
+        throwError(ErrorCode::InvalidOperation, "texture borders are not part of this release");
+}
+
+} // namespace
+
+void checkTextureImage(const TextureImageCall& call) {
+    internalFormatOf(call.internalFormat);
+    checkLevel(call.level);
+    checkSizeOfLevel(call.level, call.width, call.height);
+    checkBorder(call.border);
+}
+
+void checkTexturePart(Context& context, const TexturePartCall& call) {
+    checkLevel(call.level);
+    checkSize(call.width, call.height);
+    const TextureLevelInfo info = context.recorder().textures().info(uint32_t(call.level), call.target);
+    if (info.channels == 0) throwError(ErrorCode::InvalidOperation, "the level has no image");
+    if (call.xoffset < 0 || call.yoffset < 0 || int64_t(call.xoffset) + call.width > info.width ||
+        int64_t(call.yoffset) + call.height > info.height)
+        throwError(ErrorCode::InvalidValue, "the part does not lie inside the image");
+}
+
+TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels,
+                                 const PixelStore& store) {
+    checkTextureImage(call);
+    if (call.width == 0 || call.height == 0) return nullptr;
+    const InternalFormat internal = internalFormatOf(call.internalFormat);
+    const ImageSource source{pixels.pixels, uint32_t(call.width), uint32_t(call.height),
+                             pixels.order, pixels.type};
+    return std::make_shared<const TextureImage>(
+        source.width, source.height, internal.channels, pixels.type, internal.srgb,
+        unpackImage(source, store, internal.channels, internal.format));
+}
+
+void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image) {
+    context.recorder().textures().setImage(uint32_t(call.level), std::move(image),
+                                           call.internalFormat,
+                                           internalFormatOf(call.internalFormat).format,
+                                           call.target);
+}
+
+void defineTextureImage(Context& context, const TextureImageCall& call,
+                        const TexturePixels& pixels, const PixelStore* store) {
+    const PixelStore& unpack = context.recorder().pixelStore();
+    setTextureImage(context, call, makeTextureImage(call, pixels, store ? *store : unpack));
+}
+
+void replaceTexturePart(Context& context, const TexturePartCall& call,
+                        const TexturePixels& pixels, const PixelStore* store) {
+    TextureStore& textures = context.recorder().textures();
+    checkTexturePart(context, call);
+    if (call.width == 0 || call.height == 0) return;
+    requirePointer(pixels.pixels, "pixels");
+    const auto level = uint32_t(call.level);
+    const TextureLevelInfo info = textures.info(level, call.target);
+    const InternalFormat internal = internalFormatOf(info.internalFormat);
+    const ImageSource source{pixels.pixels, uint32_t(call.width), uint32_t(call.height),
+                             pixels.order, pixels.type};
+    const TextureImage part(source.width, source.height, info.channels, pixels.type,
+                            internal.srgb,
+                            unpackImage(source, store ? *store : context.recorder().pixelStore(),
+                                        info.channels, internal.format));
+    textures.setImage(level,
+                      std::make_shared<const TextureImage>(textures.image(level, call.target)->withPart(
+                          uint32_t(call.xoffset), uint32_t(call.yoffset), part)),
+                      info.internalFormat, internal.format, call.target);
+}
+
+} // namespace smart::compat

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Images of textures, wherever their pixels come from.
+#pragma once
+
+#include "compat/recorder/context.h"
+#include "compat/recorder/pixel_unpack.h"
+#include "openrt/types.h"
+
+namespace smart::compat {
+
+/// The pixels of a call, as many as it names.
+struct TexturePixels {
+    const void* pixels; ///< nullptr: zeros, or nothing to replace
+    PixelOrder order;
+    TexelType type;
+};
+
+struct TextureImageCall {
+    RTint level, internalFormat;
+    RTsizei width, height;
+    RTint border;
+    TextureTarget target = TextureTarget::TwoDimensional;
+};
+struct TexturePartCall {
+    RTint level, xoffset, yoffset;
+    RTsizei width, height;
+    TextureTarget target = TextureTarget::TwoDimensional;
+};
+
+/// What is asked for, as OpenGL checks it: throws Error where it can not be.
+void checkTextureImage(const TextureImageCall& call);
+void checkTexturePart(Context& context, const TexturePartCall& call);
+
+/// The image that the call defines, after the check; nullptr: none, as a side is 0. `store`: how
+/// the pixels lie.
+TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels,
+                                 const PixelStore& store);
+/// A level of the bound texture anew.
+void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image);
+/// Both. `store` nullptr: as the unpack state says.
+void defineTextureImage(Context& context, const TextureImageCall& call,
+                        const TexturePixels& pixels, const PixelStore* store = nullptr);
+/// A part of a level anew, after the check.
+void replaceTexturePart(Context& context, const TexturePartCall& call,
+                        const TexturePixels& pixels, const PixelStore* store = nullptr);
+
+} // namespace smart::compat

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""The C library: finds it, and makes its errors exceptions.
+
+`raw` has every function of the C interface under its name, and every RT_ constant:
+
+    from openrt import raw
+    raw.rtTranslatef(0, 0, -5)
+
+Arguments that are pointers take None, cffi pointers, bytes for `void` and numpy arrays whose
+elements are of the pointer's type; a `const char *` takes a str. An array is not copied: it must
+live as long as the C function says that its memory must.
+"""
+import ctypes.util
+import os
+import pathlib
+
+import cffi
+import numpy
+
+from ._declarations import CDEF, TOKENS
+
+ffi = cffi.FFI()
+ffi.cdef(CDEF)
+
+
+class Error(RuntimeError):
+    """What a call recorded. `code` is the token, such as raw.RT_INVALID_VALUE."""
+
+    def __init__(self, code, function, text):
+        super().__init__(f"{function}: {text}")
+        self.code = code
+        self.function = function
+
+
+def _open():
+    """OPENRT_LIBRARY, else the library beside this package, else the system's."""
+    named = os.environ.get("OPENRT_LIBRARY")
+    if named:
+        return ffi.dlopen(named)
+    beside = pathlib.Path(__file__).with_name("libOpenRT.so.0")
+    found = str(beside) if beside.exists() else "libOpenRT.so.0"
+    try:
+        return ffi.dlopen(found)
+    except OSError as reason:
+        other = ctypes.util.find_library("OpenRT")
+        if other:
+            return ffi.dlopen(other)
+        raise OSError(f"{reason}; set OPENRT_LIBRARY to the path of libOpenRT.so") from None
+
+
+_library = _open()
+_pending = []  # what the calls since the last look recorded
+
+
+@ffi.callback("void(RTenum, const char *, const char *, void *)")
+def _on_error(code, function, text, _user):
+    _pending.append(Error(code, ffi.string(function).decode(), ffi.string(text).decode()))
+
+
+def _raise_pending():
+    if not _pending:
+        return
+    first = _pending[0]
+    _pending.clear()
+    _library.rtGetError()
+    raise first
+
+
+def listen():
+    """Makes the errors of the context current on this thread exceptions; init() does so."""
+    _library.rtErrorCallback(_on_error, ffi.NULL)
+
+
+_ELEMENTS = {"float": numpy.float32, "double": numpy.float64, "unsigned char": numpy.uint8,
+             "signed char": numpy.int8, "short": numpy.int16, "unsigned short": numpy.uint16,
+             "int": numpy.int32, "unsigned int": numpy.uint32, "int64_t": numpy.int64,
+             "uint64_t": numpy.uint64}
+
+
+def _pointer(kind, value, name):
+    """An argument for a parameter that is a pointer."""
+    if value is None:
+        return ffi.NULL
+    if isinstance(value, str):
+        return value.encode()
+    if not isinstance(value, numpy.ndarray):
+        return value
+    if not value.flags.c_contiguous:
+        raise ValueError(f"{name}: the array is not contiguous")
+    item = kind.item
+    if item.kind == "void":
+        return ffi.from_buffer(value)
+    element = _ELEMENTS.get(item.cname)
+    if element is None or value.dtype != element:
+        raise TypeError(f"{name}: elements are {value.dtype}, not {item.cname}")
+    return ffi.cast(kind, ffi.from_buffer(value))
+
+
+def _wrapped(name):
+    function = getattr(_library, name)
+    kind = ffi.typeof(function)
+    pointers = [i for i, argument in enumerate(kind.args) if argument.kind == "pointer"]
+
+    if pointers:
+        def call(*arguments):
+            arguments = list(arguments)
+            for i in pointers:
+                if i < len(arguments):
+                    arguments[i] = _pointer(kind.args[i], arguments[i], name)
+            result = function(*arguments)
+            if _pending:
+                _raise_pending()
+            return result
+    else:
+        def call(*arguments):
+            result = function(*arguments)
+            if _pending:
+                _raise_pending()
+            return result
+
+    call.__name__ = call.__qualname__ = name
+    call.__doc__ = ffi.getctype(kind, name)
+    return call
+
+
+class _Raw:
+    """Functions and constants of the C interface."""
+
+    def __getattr__(self, name):
+        if name in TOKENS:
+            value = TOKENS[name]
+        elif name.startswith("rt"):
+            try:
+                value = _wrapped(name)
+            except AttributeError:
+                raise AttributeError(f"the library has no function {name}") from None
+        else:
+            raise AttributeError(name)
+        setattr(self, name, value)
+        return value
+
+    def __dir__(self):
+        return sorted([*TOKENS, *(name for name in dir(_library) if name.startswith("rt"))])
+
+
+raw = _Raw()

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "compat/recorder/pixel_unpack.h"
+#include "openrt/types.h"
+
+namespace smart::compat {
+
+/// Components of a pixel; 0: no format of images.
+int componentsOf(RTenum format) noexcept;
+/// Bytes of a component; 0: no type that images can have here.
+std::size_t bytesOf(RTenum type) noexcept;
+
+/// An image in the numbers of its type, whole ones but for RT_FLOAT; x runs fastest.
+struct Image {
+    RTenum type;
+    int components;
+    int width, height, depth;
+    std::vector<double> values;
+
+    Image(RTenum imageType, int imageComponents, int w, int h, int d)
+        : type(imageType), components(imageComponents), width(w), height(h), depth(d),
+          values(std::size_t(imageComponents) * std::size_t(w) * std::size_t(h) * std::size_t(d)) {
+    }
+    double* pixel(int x, int y, int z) {
+        return values.data() + offset(x, y, z);
+    }
+    const double* pixel(int x, int y, int z) const { return values.data() + offset(x, y, z); }
+
+private:
+    std::size_t offset(int x, int y, int z) const {
+        const auto row = std::size_t(z) * std::size_t(height) + std::size_t(y);
+        return (row * std::size_t(width) + std::size_t(x)) * std::size_t(components);
+    }
+};
+
+/// Reads an image as the unpack state says it lies.
+Image readImage(const void* data, RTenum type, int components, int width, int height, int depth,
+                const PixelStore& store);
+
+/// Writes rows that start at multiples of `alignment`.
+void writeImage(const Image& image, unsigned alignment, void* data);
+std::size_t writtenBytes(const Image& image, unsigned alignment);
+
+/// The same picture in another type, by way of 16 bits as GLU has it; `scaled`: the range of the
+/// type stands for 0 to 1, as opposed to indices.
+Image toShorts(const Image& image, bool scaled);
+Image fromShorts(const Image& shorts, RTenum type, bool scaled);
+
+/// What an enlarged pixel is the mean of: the part of the image that it covers, or as much as a
+/// pixel of the image about its middle.
+enum class Enlarging { Exact, WholePixels };
+
+/// GLU's box filter; an image with half the width and height takes the means of four.
+Image scaleImage(const Image& image, int width, int height, int depth, Enlarging enlarging);
+
+} // namespace smart::compat

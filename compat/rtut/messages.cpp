@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "compat/rtut/messages.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+namespace rtut {
+
+namespace {
+
+char newest[256] = "";
+
+} // namespace
+
+void tell(const char* function, const std::string& text) noexcept {
+    std::snprintf(newest, sizeof newest, "%s: %s", function, text.c_str());
+    std::fprintf(stderr, "rtut: %s\n", newest);
+}
+
+void tellOnce(const char* function, const std::string& text) noexcept {
+    try {
+        static std::set<std::string> told;
+        if (told.insert(function).second) tell(function, text);
+    } catch (...) {
+        tell(function, text);
+    }
+}
+
+const char* newestMessage() noexcept { return newest; }
+
+void endProgram(int status, const std::string& text) {
+    std::fprintf(stderr, "rtut: %s\n", text.c_str());
+    std::exit(status);
+}
+
+} // namespace rtut

@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef OPENRT_GL_GL_GL_H
+#define OPENRT_GL_GL_GL_H
+
+#include "openrt/gl.h"
+
+#endif

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/render/layer_pass.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "libsmart/render/tile_rays.h"
+
+namespace smart {
+namespace {
+
+/// PixelValue::source of a pixel in which the layer has shown nothing so far.
+constexpr uint32_t kUnseen = PixelValue::kNoSource - 1;
+
+bool isNear(float a, float b) {
+    return std::fabs(a - b) <= 0x1p-16f * std::max(std::fabs(a), std::fabs(b));
+}
+
+bool sharesCorner(const SnappedTriangle& a, const SnappedTriangle& b) {
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (a.x[i] == b.x[j] && a.y[i] == b.y[j]) return true;
+    return false;
+}
+
+float leastWeight(const Hit& hit) {
+    return std::min({hit.u, hit.v, 1.0f - hit.u - hit.v});
+}
+bool isOnEdge(const Hit& hit) {
+    return hit.u == 0.0f || hit.v == 0.0f || hit.u + hit.v >= 1.0f;
+}
+
+} // namespace
+
+LayerPass::LayerPass(const Frame& layer, bool lowest, const Tile& tile, TilePixels& pixels,
+                     LayeredPixels& memory, ShadingForm form)
+    : layer_(layer),
+      lowest_(lowest),
+      tile_(tile),
+      pixels_(pixels),
+      memory_(memory),
+      camera_(layer),
+      raster_(layer),
+      services_(layer, pixels, form) {}
+
+void LayerPass::draw(uint32_t sample, uint32_t samples) {
+    sample_ = sample;
+    samples_ = samples;
+    coverPixels();
+    for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet) drawPacket(packet);
+}
+
+void LayerPass::coverPixels() {
+    std::vector<PixelFragment>& covered = pass_->covered;
+    covered.clear();
+    if (!layer_.primitives) return;
+    layer_.primitives->cover(tile_, covered);
+    std::erase_if(covered, [this](const PixelFragment& pixel) {
+        return (pixel.samples >> (sample_ % 64) & 1u) == 0;
+    });
+    std::stable_sort(covered.begin(), covered.end(),
+                     [](const PixelFragment& a, const PixelFragment& b) {
+                         return a.entry != b.entry ? a.entry < b.entry
+                                                   : a.fragment.order < b.fragment.order;
+                     });
+}
+
+std::span<const PixelFragment> LayerPass::coveredAt(uint32_t entry) const {
+    const std::vector<PixelFragment>& covered = pass_->covered;
+    if (covered.empty()) return {};
+    const auto first = std::partition_point(
+        covered.begin(), covered.end(),
+        [&](const PixelFragment& pixel) { return pixel.entry < entry; });
+    const auto end = std::find_if(first, covered.end(), [&](const PixelFragment& pixel) {
+        return pixel.entry != entry;
+    });
+    return {first, end};
+}
+
+void LayerPass::drawPacket(uint32_t packet) {
+    uint32_t inTile = 0, open = 0, seen = 0;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        const uint32_t entry = tile_order::entryOf(packet * kLanes + lane);
+        const uint32_t i = entry % kTileSize, j = entry / kTileSize;
+        if (i >= tile_.width || j >= tile_.height) continue;
+        const uint32_t x = tile_.x + i, y = tile_.y + j;
+        inTile |= 1u << lane;
+        if (!layer_.scissor || layer_.scissor->contains(x, y)) open |= 1u << lane;
+        if (camera_.covers(x, y)) seen |= 1u << lane;
+    }
+    if (inTile == 0) return;
+    if (layer_.renderingObject) {
+        clear(packet, inTile);
+        return drawPixelsOfObject(packet, open & seen);
+    }
+    const bool environment = lowest_ && layer_.environment;
+    const uint32_t active = makeRays(packet, environment ? seen : seen & open);
+    if (environment) showEnvironment(packet, active);
+    clear(packet, inTile);
+    gather(packet, open, active & open);
+    shade(packet);
+    merge(packet, open);
+}
+
+void LayerPass::clear(uint32_t packet, uint32_t lanes) {
+    for (const BufferClear& clear : layer_.clears)
+        forEach(lanes, [&](int lane) {
+            const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
+            const uint32_t x = tile_.x + entry % kTileSize, y = tile_.y + entry / kTileSize;
+            if (clear.scissor && !clear.scissor->contains(x, y)) return;
+            PixelValue& value = memory_.values[entry];
+            for (int k = 0; k < 4; ++k)
+                if (clear.colorMask[k]) value.color[k] = clear.color[k];
+            if (!clear.depth) return;
+            value.depth = *clear.depth;
+            if (sample_ == 0) pixels_.setMiss(entry);
+        });
+}
+
+uint32_t LayerPass::makeRays(uint32_t packet, uint32_t lanes) {
+    RayGroup& rays = pass_->rays;
+    uint32_t active = 0;
+    forEach(lanes, [&](int lane) {
+        const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
+        const uint32_t x = tile_.x + entry % kTileSize, y = tile_.y + entry / kTileSize;
+        PixelSample& drawn = pass_->samples[lane];
+        drawn = PixelSample(x, y, sample_, layer_.seed);
+        const glm::vec2 in = samplePosition(x, y, layer_.seed, sample_, samples_);
+        at_[lane] = {double(x) + in.x, double(y) + in.y};
+        if (!services_.makeCameraRay(camera_, at_[lane].x, at_[lane].y, drawn, rays.ray[lane],
+                                     rays.cone[lane])) {
+            memory_.bad[entry] = true;
+            return;
+        }
+        rays.weight[lane] = 1.0f;
+        rays.sample[lane] = &drawn;
+        active |= 1u << lane;
+    });
+    pixels_.primaryRays += uint64_t(std::popcount(active));
+    return active;
+}
+
+void LayerPass::showEnvironment(uint32_t packet, uint32_t active) {
+    if (active == 0) return;
+    glm::vec4 colors[kPacketSize];
+    services_.shadeMisses(pass_->rays, active, colors);
+    forEach(active, [&](int lane) {
+        const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
+        keepColor(entry, uint32_t(lane), colors[lane]);
+        memory_.values[entry].color = colors[lane];
+    });
+}
+
+// What a shader made of a pixel; black if it failed.
+void LayerPass::keepColor(uint32_t entry, uint32_t lane, glm::vec4& color) {
+    ShadedSample shaded;
+    shaded.color = color;
+    shaded.judge(pass_->samples[lane]);
+    memory_.bad[entry] |= shaded.bad;
+    color = shaded.color;
+}
+
+// A rendering object sees the nearest hits; its pixel is one fragment.
+void LayerPass::drawPixelsOfObject(uint32_t packet, uint32_t lanes) {
+    forEach(lanes, [&](int lane) {
+        const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
+        const PixelResult result =
+            renderPixel(layer_, camera_, services_, tile_.x + entry % kTileSize,
+                        tile_.y + entry / kTileSize);
+        PixelValue& value = memory_.values[entry];
+        memory_.bad[entry] |= result.bad;
+        if (!result.hasFirst || result.first.instance == kNoId) {
+            if (lowest_) value.color = result.color;
+            return;
+        }
+        Fragment fragment;
+        fragment.depth = camera_.depth(result.firstRay, result.first.distance);
+        fragment.color = result.color;
+        fragment.source = 0;
+        value.source = kUnseen;
+        replay({&fragment, 1}, value);
+        if (value.source != fragment.source) return;
+        const ShadedSample& first = result.first;
+        pixels_.distance[entry] = first.distance;
+        pixels_.normal[entry] = first.normal;
+        pixels_.objectId[entry] = first.object;
+        pixels_.instanceId[entry] = first.instance + layer_.firstInstance;
+        pixels_.primitiveId[entry] = first.primitive;
+    });
+}
+
+// Behind the nearest of opaque hits nothing matters, unless a pixel primitive that shows what is
+// behind it takes the hit's place.
+bool LayerPass::needsAll(std::span<const PixelFragment> covered) const {
+    return std::any_of(covered.begin(), covered.end(), [](const PixelFragment& pixel) {
+        const FixedState* const state = pixel.fragment.state;
+        return state && !state->isOpaque() && state->ops.depthTest && state->ops.depthMask;
+    });
+}
+
+void LayerPass::gather(uint32_t packet, uint32_t open, uint32_t active) {
+    LayerPassMemory& pass = *pass_;
+    pass.hits.clear();
+    pass.fragments.clear();
+    uint32_t all = layer_.needs().collects ? active : 0;
+    if (!pass.covered.empty())
+        forEach(active & ~all, [&](int lane) {
+            if (needsAll(coveredAt(tile_order::entryOf(packet * kLanes + uint32_t(lane)))))
+                all |= 1u << lane;
+        });
+    const uint32_t nearest = active & ~all;
+    if (nearest != 0) services_.findHits(pass.rays, nearest);
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        const std::size_t first = pass.hits.size();
+        bool collect = (all >> lane & 1u) != 0;
+        if (nearest >> lane & 1u) {
+            const Hit& hit = pass.rays.hit[lane];
+            if (hit.triangle != kNoHit) {
+                keepHits(lane, {&hit, 1});
+                collect = !pass.hits.back().counts; // the ray goes on
+                if (collect) pass.hits.pop_back();
+            }
+        }
+        if (collect) keepHits(lane, services_.findAllHits(pass.rays.ray[lane], pass.met));
+        lanes_[lane].first = uint32_t(pass.fragments.size());
+        if (open >> lane & 1u)
+            addFragments(lane, first, tile_order::entryOf(packet * kLanes + lane));
+        lanes_[lane].end = uint32_t(pass.fragments.size());
+    }
+}
+
+void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met) {
+    std::vector<LayerHit>& hits = pass_->hits;
+    const std::size_t first = hits.size();
+    for (const Hit& hit : met) {
+        LayerHit& kept = hits.emplace_back();
+        kept.hit = hit;
+        kept.lane = lane;
+        const HitChain chain = resolve(*layer_.scene, hit.path, hit.levels, hit.triangle);
+        kept.objectId = chain.instances[chain.levels - 1]->objectId;
+        kept.triangle = RasterTriangle(chain);
+        kept.state = chain.instances[0]->state.get();
+        kept.counts = isDrawn(kept);
+    }
+    keepOwned(std::span(hits).subspan(first), at_[lane]);
+}
+
+// Culling, polygon mode, clip planes and stipple.
+bool LayerPass::isDrawn(const LayerHit& kept) const {
+    if (!kept.state) return true;
+    const FixedRaster& raster = kept.state->raster;
+    const Ray& ray = pass_->rays.ray[kept.lane];
+    const bool front =
+        raster_.isCounterclockwise(kept.triangle, ray) != raster.frontFaceClockwise;
+    if (raster.cull && (raster.cullFace == FixedFace::FrontAndBack ||
+                        (raster.cullFace == FixedFace::Front) == front))
+        return false;
+    if (raster.polygonMode[front ? 0 : 1] != FixedPolygonMode::Fill) return false;
+    const double u = kept.hit.u, v = kept.hit.v;
+    const glm::dvec3 point = (1.0 - u - v) * kept.triangle.corners[0] +
+                             u * kept.triangle.corners[1] + v * kept.triangle.corners[2];
+    for (int i = 0; i < kFixedClipPlanes; ++i)
+        if (raster.clip[i] && glm::dot(raster.clipPlane[i], glm::dvec4(point, 1.0)) < 0.0)
+            return false;
+    if (!raster.polygonStippled) return true;
+    const PixelSample& pixel = pass_->samples[kept.lane];
+    return (raster.polygonStipple[pixel.y % 32] >> (31 - pixel.x % 32) & 1u) != 0;
+}
+
+// A ray that meets an edge meets both triangles, but OpenGL draws the pixel once. One goes where
+// another one that meets it at a corner, or along the edge, owns the place; or where it lies on its
+// own edge exactly and that is not filled.
+void LayerPass::keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) const {
+    constexpr float kNearEdge = 0x1p-12f;
+    if (std::none_of(hits.begin(), hits.end(), [](const LayerHit& kept) {
+            return kept.counts && leastWeight(kept.hit) < kNearEdge;
+        }))
+        return;
+    struct OnScreen {
+        LayerHit* kept;
+        SnappedTriangle triangle;
+        Coverage coverage;
+    };
+    std::vector<OnScreen> nearEdge;
+    for (LayerHit& kept : hits) {
+        OnScreen found{&kept, {}, Coverage::Owned};
+        if (!kept.counts || leastWeight(kept.hit) >= kNearEdge) continue;
+        if (!raster_.snap(kept.triangle, found.triangle)) continue;
+        found.coverage = PolygonRaster::coverage(found.triangle, at);
+        nearEdge.push_back(found);
+    }
+    for (const OnScreen& one : nearEdge) {
+        if (one.coverage == Coverage::Owned) continue;
+        const bool taken =
+            std::any_of(nearEdge.begin(), nearEdge.end(), [&](const OnScreen& other) {
+                return other.coverage == Coverage::Owned &&
+                       isNear(one.kept->hit.t, other.kept->hit.t) &&
+                       one.kept->hit.path[0] == other.kept->hit.path[0] &&
+                       sharesCorner(one.triangle, other.triangle);
+            });
+        if (taken || (one.coverage == Coverage::Boundary && isOnEdge(one.kept->hit)))
+            one.kept->counts = false;
+    }
+}
+
+void LayerPass::addFragments(uint32_t lane, std::size_t firstHit, uint32_t entry) {
+    LayerPassMemory& pass = *pass_;
+    const std::size_t start = pass.fragments.size();
+    for (std::size_t i = firstHit; i < pass.hits.size(); ++i) {
+        const LayerHit& kept = pass.hits[i];
+        if (!kept.counts) continue;
+        Fragment& fragment = pass.fragments.emplace_back();
+        fragment.order = orderOfInstance(
+            kept.hit.path[0],
+            kept.hit.levels == 1 ? kept.hit.triangle : kFirstNested + uint32_t(i - firstHit));
+        fragment.state = kept.state;
+        fragment.source = uint32_t(i);
+        const PolygonRaster::Depth depth = raster_.depthAt(
+            kept.triangle, at_[lane], camera_.depth(pass.rays.ray[lane], kept.hit.t));
+        double window = depth.window;
+        if (kept.state && kept.state->raster.offsetFill)
+            window += double(kept.state->raster.offsetFactor) * depth.slope +
+                      double(kept.state->raster.offsetUnits) * kDepthUnit;
+        fragment.depth = float(window > 0.0 ? std::min(window, 1.0) : 0.0);
+    }
+    const std::span<const PixelFragment> covered = coveredAt(entry);
+    for (const PixelFragment& pixel : covered) {
+        pass.fragments.push_back(pixel.fragment);
+        pass.fragments.back().source = PixelValue::kNoSource;
+    }
+    if (!covered.empty())
+        std::stable_sort(pass.fragments.begin() + std::ptrdiff_t(start), pass.fragments.end(),
+                         [](const Fragment& a, const Fragment& b) { return a.order < b.order; });
+}
+
+void LayerPass::shade(uint32_t packet) {
+    LayerPassMemory& pass = *pass_;
+    pass.wanted.clear();
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        const uint32_t first = lanes_[lane].first, count = lanes_[lane].end - first;
+        if (count == 0) continue;
+        const std::span<const Fragment> fragments(&pass.fragments[first], count);
+        pass.needed.resize(std::max<std::size_t>(pass.needed.size(), count));
+        const uint32_t entry = tile_order::entryOf(packet * kLanes + lane);
+        findNeeded(fragments, memory_.values[entry].depth, pass.needed.data());
+        for (uint32_t i = 0; i < count; ++i)
+            if (pass.needed[i] && fragments[i].source != PixelValue::kNoSource)
+                pass.wanted.push_back({first + i, entry,
+                                       services_.findSurface(pass.hits[fragments[i].source].hit)});
+    }
+    // Sixteen at a time, shader by shader in the order in which they are first met.
+    while (!pass.wanted.empty()) {
+        const ShaderObject* const surface = pass.wanted.front().surface;
+        WantedColor chosen[kPacketSize];
+        uint32_t count = 0;
+        std::erase_if(pass.wanted, [&](const WantedColor& wanted) {
+            if (wanted.surface != surface || count == kLanes) return false;
+            chosen[count++] = wanted;
+            return true;
+        });
+        shadeGroup(surface, {chosen, count});
+    }
+}
+
+void LayerPass::shadeGroup(const ShaderObject* surface, std::span<const WantedColor> wanted) {
+    LayerPassMemory& pass = *pass_;
+    RayGroup group;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const LayerHit& kept = pass.hits[pass.fragments[wanted[i].fragment].source];
+        group.copyLane(int(i), pass.rays, int(kept.lane));
+        group.hit[i] = kept.hit;
+    }
+    const auto lanes = uint32_t((uint64_t(1) << wanted.size()) - 1);
+    glm::vec4 colors[kPacketSize];
+    ShadedSample found[kPacketSize];
+    services_.shadeGroup(surface, group, lanes, colors, sample_ == 0 ? found : nullptr);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        Fragment& fragment = pass.fragments[wanted[i].fragment];
+        LayerHit& kept = pass.hits[fragment.source];
+        keepColor(wanted[i].entry, kept.lane, colors[i]);
+        fragment.color = colors[i];
+        kept.normal = found[i].normal;
+    }
+}
+
+void LayerPass::merge(uint32_t packet, uint32_t open) {
+    const LayerPassMemory& pass = *pass_;
+    forEach(open, [&](int lane) {
+        const LaneRange range = lanes_[lane];
+        if (range.first == range.end) return;
+        const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
+        PixelValue& value = memory_.values[entry];
+        const glm::vec4 before = value.color;
+        value.source = kUnseen;
+        replay({&pass.fragments[range.first], range.end - range.first}, value);
+        if (!layer_.drawsColor) value.color = before;
+        if (sample_ != 0 || value.source == kUnseen) return;
+        if (value.source == PixelValue::kNoSource)
+            pixels_.setMiss(entry);
+        else
+            storeFirst(entry, pass.hits[value.source]);
+    });
+}
+
+void LayerPass::storeFirst(uint32_t entry, const LayerHit& kept) {
+    pixels_.distance[entry] = kept.hit.t;
+    pixels_.normal[entry] = kept.normal;
+    pixels_.objectId[entry] = kept.objectId;
+    pixels_.instanceId[entry] = kept.hit.path[0] + layer_.firstInstance;
+    pixels_.primitiveId[entry] = kept.hit.triangle;
+}
+
+} // namespace smart

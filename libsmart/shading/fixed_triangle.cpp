@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/shading/fixed_triangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "libsmart/shading/corner_attributes.h"
+
+namespace smart {
+namespace {
+
+glm::dvec3 toVector(const float (&v)[3]) {
+    return {v[0], v[1], v[2]};
+}
+
+/// Inverse transpose; of a singular matrix the cofactors.
+glm::dmat3 normalMatrix(const glm::dmat4x3& matrix) {
+    const glm::dvec3 x = matrix[0], y = matrix[1], z = matrix[2];
+    const glm::dmat3 cofactors{glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
+    const double determinant = glm::dot(x, cofactors[0]);
+    return determinant != 0.0 ? cofactors / determinant : cofactors;
+}
+
+glm::vec4 mix(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c,
+              const glm::dvec3& weights) {
+    return glm::vec4(weights[0] * glm::dvec4(a) + weights[1] * glm::dvec4(b) +
+                     weights[2] * glm::dvec4(c));
+}
+float mix(float a, float b, float c, const glm::dvec3& weights) {
+    return float(weights[0] * a + weights[1] * b + weights[2] * c);
+}
+
+FixedMaterial mix(const FixedMaterial& a, const FixedMaterial& b, const FixedMaterial& c,
+                  const glm::dvec3& weights) {
+    return {mix(a.ambient, b.ambient, c.ambient, weights),
+            mix(a.diffuse, b.diffuse, c.diffuse, weights),
+            mix(a.specular, b.specular, c.specular, weights),
+            mix(a.emission, b.emission, c.emission, weights),
+            mix(a.shininess, b.shininess, c.shininess, weights),
+            mix(a.reflection, b.reflection, c.reflection, weights)};
+}
+
+/// Reads the vertices of a model as fixed function has them.
+class VertexReader {
+public:
+    explicit VertexReader(const HitChain& chain)
+        : chain_(chain),
+          attributes_(chain),
+          normals_(normalMatrix(chain.toWorld)),
+          normalScale_(rescaleFactor(chain.toWorld)) {}
+
+    FixedVertex read(uint32_t triangle, int corner) const {
+        const ShadingData& shading = chain_.model->shading;
+        const Triangle& corners = chain_.model->triangles[triangle];
+        const auto& place = corner == 0 ? corners.v0 : corner == 1 ? corners.v1 : corners.v2;
+        const auto attribute = [&](const auto& values, uint32_t first, auto own, auto inherited) {
+            const auto* value = attributes_.find(values, first, triangle, corner);
+            return value ? *value : attributes_.inheritedValue(own, inherited);
+        };
+        using Inherited = InheritedAttributes;
+        FixedVertex vertex;
+        const glm::dvec3 position = toVector(place);
+        vertex.objectPosition = glm::dvec4(position, 1.0);
+        vertex.position = chain_.toWorld * vertex.objectPosition;
+        vertex.normal = normals_ * glm::dvec3(attribute(shading.normals, shading.firstNormal,
+                                                        &Inherited::ownNormal,
+                                                        &Inherited::normal));
+        vertex.color = attribute(shading.colors, shading.firstColor, &Inherited::ownColor,
+                                 &Inherited::color);
+        vertex.texCoord = attribute(shading.texCoords, shading.firstTexCoord,
+                                    &Inherited::ownTexCoord, &Inherited::texCoord);
+        const uint32_t* material = attributes_.find(shading.vertexMaterials,
+                                                    shading.firstMaterial, triangle, corner);
+        vertex.materials =
+            material ? shading.materials[*material].get()
+                     : attributes_.inheritedValue(&Inherited::ownMaterials, &Inherited::materials)
+                           .get();
+        vertex.normalScale = normalScale_;
+        return vertex;
+    }
+
+private:
+    const HitChain& chain_;
+    const CornerAttributes attributes_;
+    const glm::dmat3 normals_;
+    const double normalScale_;
+};
+
+} // namespace
+
+FixedTriangle::FixedTriangle(const HitChain& chain, const FixedViewer& viewer)
+    : state_(chain.instances[0]->state.get()),
+      levels_(chain.levels),
+      triangle_(chain.triangle),
+      viewer_(viewer) {
+    std::copy_n(chain.instances, levels_, instances_);
+    const VertexReader reader(chain);
+    for (int corner = 0; corner < 3; ++corner)
+        vertices_[corner] = reader.read(triangle_, corner);
+    const std::vector<uint8_t>& provoking = chain.model->shading.provoking;
+    provoking_ = provoking.empty() ? ShadingData::kLastCorner : provoking[triangle_];
+    if (provoking_ >= ShadingData::kOfNext) {
+        vertices_[kProvoking] = reader.read(triangle_ + 1, provoking_ - ShadingData::kOfNext);
+        provoking_ = kProvoking;
+    }
+}
+
+bool FixedTriangle::isOf(const HitChain& chain, const FixedViewer& viewer) const {
+    return state_ && triangle_ == chain.triangle && levels_ == chain.levels &&
+           viewer_.position == viewer.position && viewer_.alwaysLocal == viewer.alwaysLocal &&
+           std::equal(instances_, instances_ + levels_, chain.instances);
+}
+
+LitVertex FixedTriangle::lit(const FixedVertex& vertex, bool back,
+                             const glm::vec3* visibility) const {
+    return litVertex(*state_, vertex, back, viewer_, visibility);
+}
+
+void FixedTriangle::light(bool back) {
+    for (int corner = 0; corner < 3; ++corner)
+        lit_[back][corner] = lit(vertices_[corner], back, nullptr);
+    if (state_->lighting.shadeModel == ShadeModel::Flat)
+        flat_[back] = provoking_ == kProvoking ? lit(vertices_[kProvoking], back, nullptr)
+                                               : lit_[back][provoking_];
+    isLit_[back] = true;
+}
+
+const LitVertex (&FixedTriangle::corners(bool back))[3] {
+    if (!isLit_[back]) light(back);
+    return lit_[back];
+}
+
+FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& memory) const {
+    const auto sum = [&](auto member) {
+        return weights[0] * (vertices_[0].*member) + weights[1] * (vertices_[1].*member) +
+               weights[2] * (vertices_[2].*member);
+    };
+    FixedVertex vertex = vertices_[0];
+    vertex.position = sum(&FixedVertex::position);
+    vertex.normal = glm::dvec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3& normal = vertices_[i].normal;
+        const double squared = glm::dot(normal, normal);
+        const bool unit = state_->lighting.normalize && squared > 0.0;
+        vertex.normal += weights[i] * (unit ? normal / std::sqrt(squared) : normal);
+    }
+    const double squared = glm::dot(vertex.normal, vertex.normal);
+    if (squared > 0.0) vertex.normal /= std::sqrt(squared);
+    vertex.normalScale = 1.0;
+    vertex.color = mix(vertices_[0].color, vertices_[1].color, vertices_[2].color, weights);
+    if (vertices_[0].materials != vertices_[1].materials ||
+        vertices_[0].materials != vertices_[2].materials) {
+        static const FixedMaterials initial;
+        const auto of = [&](int i) -> const FixedMaterials& {
+            return vertices_[i].materials ? *vertices_[i].materials : initial;
+        };
+        memory = {mix(of(0).front, of(1).front, of(2).front, weights),
+                  mix(of(0).back, of(1).back, of(2).back, weights)};
+        vertex.materials = &memory;
+    }
+    return vertex;
+}
+
+LitVertex FixedTriangle::at(const glm::dvec3& weights, bool back, const glm::vec3* visibility) {
+    const LitVertex (&corner)[3] = corners(back);
+    const auto withColorsOf = [&](const LitVertex& lit) {
+        LitVertex result = interpolated(corner[0], corner[1], corner[2], weights);
+        result.primary = lit.primary;
+        result.secondary = lit.secondary;
+        result.reflection = lit.reflection;
+        result.lightsIn = lit.lightsIn;
+        return result;
+    };
+    switch (state_->lighting.shadeModel) {
+    case ShadeModel::Flat:
+        return withColorsOf(visibility ? lit(vertices_[provoking_], back, visibility)
+                                       : flat_[back]);
+    case ShadeModel::Phong: {
+        FixedMaterials memory;
+        return withColorsOf(lit(vertexAt(weights, memory), back, visibility));
+    }
+    case ShadeModel::Smooth: break;
+    }
+    if (!visibility) return interpolated(corner[0], corner[1], corner[2], weights);
+    return interpolated(lit(vertices_[0], back, visibility), lit(vertices_[1], back, visibility),
+                        lit(vertices_[2], back, visibility), weights);
+}
+
+} // namespace smart

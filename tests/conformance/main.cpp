@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// openrt-conformance: does a libOpenRT.so do what OpenGL does? The sample ports and small programs
+// that ask questions run against OSMesa and against the library; docs/conformance.md explains.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "tests/conformance/conformance_case.h"
+#include "tests/conformance/frame_times.h"
+#include "tests/conformance/report.h"
+
+namespace {
+
+using namespace conformance;
+
+// A folder of its own for the pictures, removed at the end.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string name = std::filesystem::temp_directory_path() / "openrt-conformance-XXXXXX";
+        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+std::vector<Case> casesWith(const std::string& prefix, const Settings& settings) {
+    std::vector<Case> cases;
+    const auto add = [&](std::vector<Case> more) {
+        for (Case& one : more)
+            if (one.name.rfind(prefix, 0) == 0) cases.push_back(std::move(one));
+    };
+    add(pictureCases(settings));
+    const bool picturesOnly = prefix.rfind("picture", 0) == 0 || prefix.rfind("control", 0) == 0;
+    if (!picturesOnly) add(transcriptCases(settings));
+    return cases;
+}
+
+std::vector<Result> runAll(const std::vector<Case>& cases, bool failFast) {
+    std::vector<Result> results;
+    for (const Case& one : cases) {
+        results.push_back(one.run());
+        const Result& result = results.back();
+        std::printf("%s %s\n", result.passed() ? "passed" : "FAILED", result.name.c_str());
+        for (const std::string& failure : result.failures) std::printf("    %s\n", failure.c_str());
+        std::fflush(stdout);
+        if (failFast && !result.passed()) break;
+    }
+    return results;
+}
+
+bool allPassed(const std::vector<Result>& results) {
+    long passed = 0;
+    for (const Result& result : results) passed += result.passed();
+    std::printf("%ld of %zu cases passed\n", passed, results.size());
+    return !results.empty() && passed == long(results.size());
+}
+
+int run(int argc, char** argv) {
+    Settings settings;
+    settings.openGlPrograms = OPENRT_CONFORMANCE_GL;
+    settings.openRtPrograms = OPENRT_CONFORMANCE_RT;
+    std::string json, html, prefix;
+    bool list = false, failFast = false, times = false;
+    CLI::App app("Compares a libOpenRT.so with OpenGL, as OSMesa renders it.");
+    app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
+        ->check(CLI::ExistingFile);
+    app.add_option("--json", json, "file for the results");
+    app.add_option("--html", html, "folder for a report with pictures");
+    app.add_option("--cases", prefix, "only cases whose names begin so");
+    app.add_option("--opengl-programs", settings.openGlPrograms, "folder of the ports on OSMesa");
+    app.add_option("--openrt-programs", settings.openRtPrograms, "folder of the ports to test");
+    app.add_flag("--list", list, "names of the cases, nothing else");
+    app.add_flag("--quick", settings.quick, "one size and one frame of each port");
+    app.add_flag("--times", times,
+                 "milliseconds of a frame of both instead; --cases: of which port");
+    app.add_flag("--fail-fast", failFast, "end after the first case that fails");
+    app.add_option("--seconds", settings.seconds, "that one program may take")
+        ->check(CLI::PositiveNumber);
+    CLI11_PARSE(app, argc, argv);
+    if (!settings.library.empty()) settings.library = std::filesystem::canonical(settings.library);
+
+    const TemporaryFolder temporary;
+    settings.work = temporary.path();
+    if (!html.empty()) {
+        std::filesystem::create_directories(html);
+        settings.work = html;
+        settings.keepPictures = true;
+    }
+    if (times) return measureFrameTimes(settings, prefix).empty() ? 1 : 0;
+    const std::vector<Case> cases = casesWith(prefix, settings);
+    if (list) {
+        for (const Case& one : cases) std::printf("%s\n", one.name.c_str());
+        return 0;
+    }
+    const std::vector<Result> results = runAll(cases, failFast);
+    const std::string library = settings.library.empty() ? "as built" : settings.library.string();
+    if (!json.empty()) {
+        std::ofstream file(json);
+        file << jsonReport(library, results);
+        file.close();
+        if (!file) throw std::runtime_error(json + ": not written");
+    }
+    if (!html.empty()) writeHtmlReport(html, library, results);
+    return allPassed(results) ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "openrt-conformance: %s\n", error.what());
+        return 2;
+    }
+}

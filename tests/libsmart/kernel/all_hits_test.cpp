@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// All that rays meet, against each triangle by itself.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "tests/support/kernel_runs.h"
+#include "tests/support/procedural_meshes.h"
+#include "tests/support/traced_scene.h"
+
+namespace smart::test {
+namespace {
+
+using Name = std::vector<uint32_t>; ///< path, then triangle
+
+Name nameOf(const Hit& hit) {
+    Name name(hit.path, hit.path + hit.levels);
+    name.push_back(hit.triangle);
+    return name;
+}
+
+/// A soup, placed twice and, nested in another object, a third time.
+struct SoupScene {
+    std::vector<Triangle> triangles = triangleSoup(120, 0.8f, 7);
+    glm::dmat4x3 places[3];
+    std::vector<Instance> instances;
+
+    SoupScene() {
+        const glm::dmat4 one(1.0);
+        places[0] = glm::dmat4x3(1.0);
+        places[1] = glm::dmat4x3(glm::rotate(one, 0.7, glm::dvec3(0.36, 0.48, 0.8)));
+        places[2] = glm::dmat4x3(glm::translate(one, glm::dvec3(0.3, -0.2, 0.1)));
+        const ModelPtr soup = makeModel(triangles);
+        instances = {place(soup), place(soup, places[1]),
+                     place(makeModel({}, {place(soup, places[2])}))};
+    }
+    Name nameOf(uint32_t copy, uint32_t triangle) const {
+        return copy == 2 ? Name{2, 0, triangle} : Name{copy, triangle};
+    }
+};
+
+std::vector<Ray> rays() {
+    std::mt19937 random(3);
+    std::normal_distribution<float> normal;
+    std::vector<Ray> result(60);
+    for (Ray& ray : result) {
+        for (int k = 0; k < 3; ++k) {
+            ray.org[k] = 0.3f * normal(random);
+            ray.dir[k] = normal(random);
+        }
+        ray.tNear = 0.1f;
+        ray.tFar = 1.5f;
+    }
+    return result;
+}
+
+std::map<Name, std::array<float, 3>> allHits(const KernelTable& kernels, Precision precision,
+                                             const ModelView& view, const Ray& ray) {
+    std::vector<Hit> memory(1); // too short for most
+    HitList list{memory.data(), 1, 0};
+    kernels.intersectAll1[std::size_t(precision)](view, ray, list);
+    memory.resize(std::max<std::size_t>(list.count, 1));
+    const uint32_t count = list.count;
+    list = {memory.data(), uint32_t(memory.size()), 0};
+    kernels.intersectAll1[std::size_t(precision)](view, ray, list);
+    EXPECT_LE(list.count, count); // a short list may count a triangle once more
+    std::map<Name, std::array<float, 3>> found;
+    for (uint32_t i = 0; i < list.count; ++i)
+        found[nameOf(memory[i])] = {memory[i].t, memory[i].u, memory[i].v};
+    return found;
+}
+
+TEST(AllHits, EachTriangleThatIsMetAlone) {
+    const SoupScene soup;
+    for (const Precision precision : {Precision::Fast, Precision::Watertight, Precision::Precise}) {
+        const TracedScene scene(soup.instances, precision);
+        std::vector<std::unique_ptr<const Scene>> alone; // copy by copy
+        for (uint32_t copy = 0; copy < 3; ++copy)
+            for (const Triangle& triangle : soup.triangles)
+                alone.push_back(std::make_unique<const Scene>(
+                    std::vector<Instance>{place(makeModel({triangle}), soup.places[copy])},
+                    precision, 1u));
+        std::size_t hits = 0, most = 0;
+        for (const Ray& ray : rays()) {
+            std::map<Name, std::array<float, 3>> expected;
+            for (uint32_t copy = 0; copy < 3; ++copy)
+                for (uint32_t i = 0; i < soup.triangles.size(); ++i) {
+                    Hit hit;
+                    findKernels("generic")->intersect1[std::size_t(precision)](
+                        alone[copy * soup.triangles.size() + i]->view(), ray, hit);
+                    if (hit.triangle != kNoHit)
+                        expected[soup.nameOf(copy, i)] = {hit.t, hit.u, hit.v};
+                }
+            for (const KernelTable* kernels : availableKernels())
+                EXPECT_EQ(allHits(*kernels, precision, scene.view(), ray), expected)
+                    << kernels->name << ' ' << int(precision);
+            hits += expected.size();
+            most = std::max(most, expected.size());
+        }
+        EXPECT_GT(hits, 200u);
+        EXPECT_GT(most, 8u);
+    }
+}
+
+// Copies of one triangle at one place: the last of them, for scenes that say so.
+TEST(AllHits, LastOfEqualDistances) {
+    const std::vector<Triangle> stack(5, {{-1, -1, -3}, {1, -1, -3}, {0, 1, -3}});
+    const ModelPtr model = makeModel(stack);
+    for (const Precision precision : {Precision::Fast, Precision::Watertight, Precision::Precise})
+        for (const bool last : {false, true}) {
+            const Scene scene({place(model), place(model), place(makeModel(stack, {place(model)}))},
+                              precision, 1, last);
+            const Ray ray{{0, 0, 0}, {0.0625f, 0, -1}, 0, 100};
+            for (const KernelTable* kernels : availableKernels()) {
+                Hit hit;
+                kernels->intersect1[std::size_t(precision)](scene.view(), ray, hit);
+                EXPECT_EQ(nameOf(hit), last ? (Name{2, 0, 4}) : (Name{0, 0})) << kernels->name;
+                EXPECT_EQ(allHits(*kernels, precision, scene.view(), ray).size(), 20u);
+                const std::vector<Hit> packet =
+                    tracePackets(*kernels, precision, scene.view(), std::vector<Ray>(16, ray),
+                                 Filling::Full);
+                EXPECT_EQ(nameOf(packet[7]), nameOf(hit));
+            }
+        }
+}
+
+} // namespace
+} // namespace smart::test

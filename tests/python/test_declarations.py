@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+"""The module has all that the C headers declare, and what it has is what the compiler sees."""
+import os
+import pathlib
+import re
+import subprocess
+
+import openrt
+from openrt.library import TOKENS, _library, ffi
+
+INCLUDE = pathlib.Path(os.environ["OPENRT_INCLUDE"])
+
+
+def declared():
+    names = set()
+    for header in (INCLUDE / "openrt").glob("rt*.h"):
+        names |= set(re.findall(r"\bRTAPIENTRY\s+(rt\w+)\(", header.read_text()))
+    return {name for name in names if not name.startswith(("rtut", "rts"))}
+
+
+def test_every_function_is_there():
+    missing = [name for name in declared() if not hasattr(_library, name)]
+    assert len(declared()) > 500
+    assert missing == []
+
+
+def test_tokens_are_those_of_the_compiler(tmp_path):
+    source = tmp_path / "tokens.c"
+    lines = "".join(f'    printf("{name} %llu\\n", (unsigned long long){name});\n' for name in TOKENS)
+    source.write_text('#include <stdio.h>\n#include "openrt/enums.h"\n'
+                      f"int main(void) {{\n{lines}    return 0;\n}}\n")
+    program = tmp_path / "tokens"
+    subprocess.run(["cc", f"-I{INCLUDE}", str(source), "-o", str(program)], check=True)
+    seen = dict(line.split() for line in
+                subprocess.run([str(program)], check=True, capture_output=True,
+                               text=True).stdout.splitlines())
+    assert {name: int(value) for name, value in seen.items()} == TOKENS
+
+
+def test_structures_have_the_compilers_layout():
+    assert ffi.sizeof("RTray") == 32 and ffi.sizeof("RThit") == 40
+    assert openrt.raw.rtIntersect.__doc__.startswith("void")
