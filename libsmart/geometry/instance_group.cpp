@@ -127,6 +127,16 @@ InstanceGroup::InstanceGroup(std::vector<Instance> instances, unsigned threads)
     }
 }
 
+std::vector<Aabb> InstanceGroup::boxes() const {
+    const FpEnvironment standard;
+    std::vector<Aabb> boxes(instances_.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        if (views_[i].model)
+            boxes[i] = transformed(instances_[i].toParent, instances_[i].model->bounds);
+    }
+    return boxes;
+}
+
 std::size_t ShaderReplacement::bytes() const {
     constexpr std::size_t kOwnerCounts = 2 * sizeof(void*); // beside it, where it is shared
     return sizeof(ShaderReplacement) + kOwnerCounts + pairs.capacity() * sizeof(pairs[0]) +

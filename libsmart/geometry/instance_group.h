@@ -73,6 +73,8 @@ public:
     const KdTree& tree() const { return tree_; }
     uint32_t dropped() const { return dropped_; } ///< singular or not finite
     Aabb bounds() const { return bounds_; }
+    /// Of each instance; empty where it is never hit.
+    std::vector<Aabb> boxes() const;
     std::size_t bytes() const;
     /// Points `view`'s children at this group; valid as long as the group lives and stays put.
     void show(ModelView& view) const;

@@ -61,7 +61,7 @@ std::size_t ShadingData::bytes() const {
 
 std::size_t Model::bytes() const {
     return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() + pixels.bytes() +
-           children.bytes() + recordBytes_.load(std::memory_order_relaxed);
+           children.bytes() + preparedBytes_.load(std::memory_order_relaxed);
 }
 
 void Model::makeView() {
@@ -78,8 +78,26 @@ void Model::prepareFastRecords() const {
         }
         records_.reserve(triangles.size());
         for (const Triangle& triangle : triangles) records_.push_back(makeRecord(triangle));
-        recordBytes_.store(heldBytes(records_), std::memory_order_relaxed);
+        preparedBytes_.fetch_add(heldBytes(records_), std::memory_order_relaxed);
         view_.records = records_.data();
+    });
+}
+
+void Model::prepareTiles() const {
+    std::call_once(tilesOnce_, [this] {
+        const FpEnvironment standard;
+        for (const Instance& child : children.instances()) {
+            if (child.model) child.model->prepareTiles();
+        }
+        std::vector<Aabb> boxes(triangles.size());
+        for (const uint32_t i : tree.prims) {
+            boxes[i].add(triangles[i].v0);
+            boxes[i].add(triangles[i].v1);
+            boxes[i].add(triangles[i].v2);
+        }
+        tileTrees_ = TileTrees(triangles, boxes, children);
+        preparedBytes_.fetch_add(tileTrees_.bytes(), std::memory_order_relaxed);
+        tileTrees_.show(view_);
     });
 }
 

@@ -14,6 +14,7 @@
 #include "libsmart/accel/kd_tree.h"
 #include "libsmart/geometry/instance_group.h"
 #include "libsmart/geometry/pixel_geometry.h"
+#include "libsmart/geometry/tile_trees.h"
 #include "libsmart/kernel/view.h"
 
 namespace smart {
@@ -83,6 +84,10 @@ struct Model {
     /// Makes the fast mode's records, here and in the models nested below, unless they exist.
     /// Thread-safe; traversal of this model in another mode may be under way.
     void prepareFastRecords() const;
+    /// Makes what tiles of rays walk, here and in the models nested below, unless it exists. Until
+    /// then they walk the kd-tree. Thread-safe; traversal of this model may be under way, but for
+    /// tiles.
+    void prepareTiles() const;
 
 private:
     friend class ModelBuilder;
@@ -91,7 +96,9 @@ private:
     mutable ModelView view_{};
     mutable std::once_flag recordsOnce_;
     mutable std::vector<TriangleRecord> records_;
-    mutable std::atomic<std::size_t> recordBytes_{0}; ///< bytes() may run beside the making
+    mutable std::once_flag tilesOnce_;
+    mutable TileTrees tileTrees_;
+    mutable std::atomic<std::size_t> preparedBytes_{0}; ///< bytes() may run beside the making
 };
 
 using ModelPtr = std::shared_ptr<const Model>;

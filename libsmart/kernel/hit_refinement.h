@@ -7,10 +7,6 @@
 
 namespace smart::SMART_ISA {
 
-inline double clamp(double x, double low, double high) {
-    return x < low ? low : x > high ? high : x;
-}
-
 /// Rays in the space of the triangle that each hit, in double.
 template <int N>
 struct alignas(64) DoubleRays {
@@ -37,54 +33,122 @@ const ModelView& descend(const ModelView& scene, const uint32_t path[][N], uint3
     return *model;
 }
 
+/// Whether all the hits are in one model, in the same place; lane: of some hit.
+template <int N>
+bool inOneModel(const uint32_t* triangle, const uint32_t* levels, const uint32_t path[][N],
+                int lane) {
+    uint32_t differ = 0;
+    for (int i = 0; i < N; ++i)
+        differ |= triangle[i] == kNoHit ? 0 : levels[i] ^ levels[lane];
+    if (differ) return false;
+    for (uint32_t l = 0; l < levels[lane]; ++l)
+        for (int i = 0; i < N; ++i)
+            differ |= triangle[i] == kNoHit ? 0 : path[l][i] ^ path[l][lane];
+    return !differ;
+}
+
+/// Takes all lanes to the model that the path of one leads to.
+template <int N>
+const ModelView& descendTogether(const ModelView& scene, const uint32_t path[][N], uint32_t levels,
+                                 int lane, DoubleRays<N>& rays) {
+    const ModelView* model = &scene;
+    for (uint32_t l = 0; l < levels; ++l) {
+        const InstanceView& instance = model->children[path[l][lane]];
+        model = instance.model;
+        if (instance.identity) continue;
+        const auto& m = instance.toObject;
+        for (int i = 0; i < N; ++i) {
+            const double x = rays.org[0][i], y = rays.org[1][i], z = rays.org[2][i];
+            for (int k = 0; k < 3; ++k)
+                rays.org[k][i] = m[k][0] * x + m[k][1] * y + m[k][2] * z + m[k][3];
+        }
+        for (int i = 0; i < N; ++i) {
+            const double x = rays.dir[0][i], y = rays.dir[1][i], z = rays.dir[2][i];
+            for (int k = 0; k < 3; ++k)
+                rays.dir[k][i] = m[k][0] * x + m[k][1] * y + m[k][2] * z;
+        }
+    }
+    return *model;
+}
+
+/// The vertices of what each lane hit.
+template <int N>
+struct alignas(64) HitVertices {
+    float v0[3][N], v1[3][N], v2[3][N];
+
+    void set(int lane, const Triangle& triangle) {
+        for (int k = 0; k < 3; ++k) {
+            v0[k][lane] = triangle.v0[k];
+            v1[k][lane] = triangle.v1[k];
+            v2[k][lane] = triangle.v2[k];
+        }
+    }
+};
+
 /// With A the first vertex as seen from the origin, e1 and e2 the edges from it, n = e1 x e2:
 /// t = A.n / d.n, u = (A x d).e2 / d.n, v = (d x A).e1 / d.n. Lanes without a hit get any value.
 template <int N>
 void refineHits(const ModelView& scene, const float* const org[3], const float* const dir[3],
                 const float* tNear, const float* tFar, const uint32_t* triangle,
                 const uint32_t* levels, const uint32_t path[][N], float* t, float* u, float* v) {
+    int some = -1;
+    for (int i = 0; i < N; ++i) some = triangle[i] == kNoHit ? some : i;
+    if (some < 0) return;
     DoubleRays<N> rays;
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < N; ++i) {
             rays.org[k][i] = org[k][i];
             rays.dir[k][i] = dir[k][i];
         }
-    alignas(64) float v0[3][N] = {}, v1[3][N] = {}, v2[3][N] = {};
-    for (int i = 0; i < N; ++i) {
-        if (triangle[i] == kNoHit) continue;
-        const Triangle& found = descend<N>(scene, path, levels[i], i, rays).triangles[triangle[i]];
+    HitVertices<N> vertices;
+    if (inOneModel<N>(triangle, levels, path, some)) {
+        const ModelView& model = descendTogether<N>(scene, path, levels[some], some, rays);
+        for (int i = 0; i < N; ++i)
+            vertices.set(i, model.triangles[triangle[triangle[i] == kNoHit ? some : i]]);
+    } else {
+        vertices = {};
+        for (int i = 0; i < N; ++i)
+            if (triangle[i] != kNoHit)
+                vertices.set(i, descend<N>(scene, path, levels[i], i, rays).triangles[triangle[i]]);
+    }
+
+    const hn::CappedTag<double, (N < 8 ? N : 8)> real;
+    const hn::Rebind<float, decltype(real)> narrow;
+    using V = hn::Vec<decltype(real)>;
+    const auto widen = [&](const float* p) { return hn::PromoteTo(real, hn::LoadU(narrow, p)); };
+    const auto cross = [](const V (&a)[3], const V (&b)[3], V (&c)[3]) {
         for (int k = 0; k < 3; ++k) {
-            v0[k][i] = found.v0[k];
-            v1[k][i] = found.v1[k];
-            v2[k][i] = found.v2[k];
+            const int x = (k + 1) % 3, y = (k + 2) % 3;
+            c[k] = hn::Sub(hn::Mul(a[x], b[y]), hn::Mul(a[y], b[x]));
         }
-    }
-    alignas(64) double distance[N], second[N], third[N];
-    for (int i = 0; i < N; ++i) {
-        const double ax = v0[0][i] - rays.org[0][i];
-        const double ay = v0[1][i] - rays.org[1][i];
-        const double az = v0[2][i] - rays.org[2][i];
-        const double e1x = double(v1[0][i]) - v0[0][i], e2x = double(v2[0][i]) - v0[0][i];
-        const double e1y = double(v1[1][i]) - v0[1][i], e2y = double(v2[1][i]) - v0[1][i];
-        const double e1z = double(v1[2][i]) - v0[2][i], e2z = double(v2[2][i]) - v0[2][i];
-        const double dx = rays.dir[0][i], dy = rays.dir[1][i], dz = rays.dir[2][i];
-        const double nx = e1y * e2z - e1z * e2y;
-        const double ny = e1z * e2x - e1x * e2z;
-        const double nz = e1x * e2y - e1y * e2x;
-        const double px = dy * az - dz * ay;
-        const double py = dz * ax - dx * az;
-        const double pz = dx * ay - dy * ax;
-        const double inverse = 1 / (dx * nx + dy * ny + dz * nz);
-        distance[i] = (ax * nx + ay * ny + az * nz) * inverse;
-        second[i] = -(px * e2x + py * e2y + pz * e2z) * inverse;
-        third[i] = (px * e1x + py * e1y + pz * e1z) * inverse;
-    }
-    for (int i = 0; i < N; ++i) {
-        // NaN from a plane seen edge-on: the float test met it, exactly it has no distance.
-        const double from = tNear[i] > 0 ? tNear[i] : 0;
-        t[i] = float(distance[i] == distance[i] ? clamp(distance[i], from, tFar[i]) : from);
-        u[i] = float(second[i] == second[i] ? clamp(second[i], 0, 1) : 0);
-        v[i] = float(third[i] == third[i] ? clamp(third[i], 0, 1) : 0);
+    };
+    const auto dot = [](const V (&a)[3], const V (&b)[3]) {
+        return hn::Add(hn::Add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
+    };
+    // NaN from a plane seen edge-on: the float test met it, exactly it has no distance.
+    const auto put = [&](const V& value, const V& low, const V& high, float* to) {
+        V inside = hn::IfThenElse(hn::Gt(value, high), high, value);
+        inside = hn::IfThenElse(hn::Ge(value, low), inside, low);
+        hn::StoreU(hn::DemoteTo(narrow, inside), narrow, to);
+    };
+    const V zero = hn::Zero(real), one = hn::Set(real, 1.0);
+    for (int i = 0; i < N; i += int(hn::Lanes(real))) {
+        V a[3], e1[3], e2[3], d[3], n[3], p[3];
+        for (int k = 0; k < 3; ++k) {
+            const V v0 = widen(vertices.v0[k] + i);
+            a[k] = hn::Sub(v0, hn::LoadU(real, rays.org[k] + i));
+            e1[k] = hn::Sub(widen(vertices.v1[k] + i), v0);
+            e2[k] = hn::Sub(widen(vertices.v2[k] + i), v0);
+            d[k] = hn::LoadU(real, rays.dir[k] + i);
+        }
+        cross(e1, e2, n);
+        cross(d, a, p);
+        const V inverse = hn::Div(one, dot(d, n));
+        const V from = widen(tNear + i);
+        put(hn::Mul(dot(a, n), inverse), hn::IfThenElse(hn::Gt(from, zero), from, zero),
+            widen(tFar + i), t + i);
+        put(hn::Mul(hn::Neg(dot(p, e2)), inverse), zero, one, u + i);
+        put(hn::Mul(dot(p, e1), inverse), zero, one, v + i);
     }
 }
 

@@ -32,7 +32,10 @@ public:
     /// Lanes of `active` that meet the triangle's plane inside it, and where. Limits are not
     /// looked at.
     HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {
-        return someLarge_ ? meetLarge(number, active, t) : meetInFloat(number, active, t);
+        return meet(triangles_[number], active, t);
+    }
+    HWY_INLINE Mask<N> meet(const Triangle& triangle, const Mask<N>& active, Real<N>& t) const {
+        return someLarge_ ? meetLarge(triangle, active, t) : meetInFloat(triangle, active, t);
     }
 
     /// Of the lanes that meet the triangle at t, those for which float can compare t with `best`:
@@ -47,8 +50,8 @@ public:
     }
 
 private:
-    HWY_INLINE Mask<N> meetInFloat(uint32_t number, const Mask<N>& active, Real<N>& t) const {
-        const Triangle& triangle = triangles_[number];
+    HWY_INLINE Mask<N> meetInFloat(const Triangle& triangle, const Mask<N>& active,
+                                   Real<N>& t) const {
         const Sheared<N> sheared = shear_(triangle);
         Real<N> u, v, w;
         sheared.edgeFunctions(u, v, w);
@@ -70,15 +73,15 @@ private:
 
     /// The same test; the lanes with large coordinates in double, whose exponents suffice. A
     /// double edge function of zero counts as inside, on both sides of the edge.
-    [[gnu::noinline]] Mask<N> meetLarge(uint32_t number, const Mask<N>& active,
+    [[gnu::noinline]] Mask<N> meetLarge(const Triangle& triangle, const Mask<N>& active,
                                         Real<N>& t) const {
         t = Real<N>(0.0f);
-        uint32_t accepted = meetInFloat(number, andNot(active, large_), t).bits();
+        uint32_t accepted = meetInFloat(triangle, andNot(active, large_), t).bits();
         alignas(64) float result[N];
         t.store(result);
         for (uint32_t lanes = (active & large_).bits(); lanes; lanes &= lanes - 1) {
             const int i = lowestBit(lanes);
-            if (meetInDouble(triangles_[number], i, result[i])) accepted |= 1u << i;
+            if (meetInDouble(triangle, i, result[i])) accepted |= 1u << i;
         }
         t = Real<N>::load(result);
         return Mask<N>::fromBits(accepted);
@@ -164,13 +167,17 @@ private:
     [[gnu::noinline]] void placeExactly(const Triangle& triangle, uint32_t lanes,
                                         Real<N>& t) const {
         const Plane plane(triangle);
-        alignas(64) float result[N];
-        t.store(result);
-        for (; lanes; lanes &= lanes - 1) {
-            const int i = lowestBit(lanes);
-            result[i] = float(distance(plane, i, result[i]));
+        alignas(64) float exact[N];
+        for (int i = 0; i < N; ++i) { // as `distance` does
+            double depth = 0, slope = 0;
+            for (int k = 0; k < 3; ++k) {
+                depth += (double(plane.point[k]) - rays_.org[k][i]) * plane.n[k];
+                slope += rays_.dir[k][i] * plane.n[k];
+            }
+            lanes &= ~(uint32_t(slope == 0) << i); // edge-on: as it is
+            exact[i] = float(depth / slope);
         }
-        t = Real<N>::load(result);
+        t = select(Mask<N>::fromBits(lanes), Real<N>::load(exact), t);
     }
 
     template <HitMode M, class Counter>

@@ -13,6 +13,7 @@ namespace smart {
 /// for the rays, vertices and matrices as given.
 enum class Precision : uint32_t { Fast = 0, Watertight = 1, Precise = 2 };
 inline constexpr int kPrecisionCount = 3;
+inline constexpr uint32_t kTilePackets = 4; ///< packets that may be traced together
 
 /// Every entry finds the same hits, to the bit, whatever the instruction set. Equal distances go
 /// to the lowest path, then to the lowest triangle; a model's own triangles before its children;
@@ -27,6 +28,13 @@ struct KernelTable {
     void (*occluded[kPrecisionCount])(const ModelView&, const RayPacket&, uint32_t& blocked);
     void (*intersect1[kPrecisionCount])(const ModelView&, const Ray&, Hit&);
     bool (*occluded1[kPrecisionCount])(const ModelView&, const Ray&);
+    /// The same for `count` packets, up to four, that lie close together: fastest where all their
+    /// rays come from one point, or occluded where all head for one, and all models that they may
+    /// reach have been prepared for tiles; the same hits in any case.
+    void (*intersectTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
+                                           HitPacket*);
+    void (*occludedTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
+                                          uint32_t* blocked);
     /// Everything that the ray meets in its range, in no order, a triangle perhaps more than once.
     /// Where the list is too short, again with a longer one.
     void (*intersectAll1[kPrecisionCount])(const ModelView&, const Ray&, HitList&);

@@ -8,6 +8,7 @@
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/kernel/ray_preparation.h"
 #include "libsmart/kernel/scene_traversal.h"
+#include "libsmart/kernel/tile_scene.h"
 
 namespace smart::SMART_ISA {
 
@@ -67,6 +68,13 @@ void place(const ModelView& scene, const RayArrays& in, const WorldRays<N>& worl
     }
 }
 
+template <class Counter>
+void store(const Search<kPacketSize, HitMode::Closest, Counter>& query, HitPacket& hits) {
+    __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
+    __builtin_memcpy(hits.levels, query.levels, sizeof hits.levels);
+    __builtin_memcpy(hits.path, query.path, query.deepest * sizeof hits.path[0]);
+}
+
 template <template <int> class Precision, class Counter>
 void closestHits(const ModelView& scene, const RayPacket& rays, HitPacket& hits, Counter counter) {
     const RayArrays in(rays);
@@ -75,9 +83,7 @@ void closestHits(const ModelView& scene, const RayPacket& rays, HitPacket& hits,
     query.counter = counter;
     run<Precision>(scene, in, world, query);
     place<Precision>(scene, in, world, query, hits.t, hits.u, hits.v);
-    __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
-    __builtin_memcpy(hits.levels, query.levels, sizeof hits.levels);
-    __builtin_memcpy(hits.path, query.path, sizeof hits.path);
+    store(query, hits);
 }
 
 template <template <int> class Precision>
@@ -138,6 +144,101 @@ bool occluded1(const ModelView& scene, const Ray& ray) {
     return query.blocked != 0;
 }
 
+/// Whether all legal rays of a tile start at one point, or end at one: then its apex is set.
+template <HitMode M>
+bool findApex(const TileLanes& legal, const Search<kPacketSize, M, NoCounts>* query,
+              RayTile& tile) {
+    using R = Real<kPacketSize>;
+    int first = -1;
+    bool common = true;
+    for (int v = 0; v < kTileVectors; ++v) {
+        if (!legal.of[v]) continue;
+        const int lane = lowestBit(legal.of[v]);
+        if (first < 0) {
+            first = v;
+            for (int k = 0; k < 3; ++k) tile.apex[k] = tile.rays[v].org[k][lane];
+        }
+        const Mask<kPacketSize> on = Mask<kPacketSize>::fromBits(legal.of[v]);
+        for (int k = 0; k < 3; ++k)
+            common = common && !any(on & (R::load(tile.rays[v].org[k]) != R(tile.apex[k])));
+    }
+    tile.startsThere = true;
+    if (common || M == HitMode::Closest) return common && first >= 0;
+    tile.startsThere = false;
+    const int lane = lowestBit(legal.of[first]);
+    for (int k = 0; k < 3; ++k) {
+        const double from = tile.rays[first].org[k][lane], towards = tile.rays[first].dir[k][lane];
+        tile.apex[k] = float(from + towards * query[first].best[lane]);
+        if (!(magnitude(Real<1>(tile.apex[k])).v <= 0x1p40f)) return false;
+    }
+    for (int v = 0; v < kTileVectors; ++v) {
+        if (!legal.of[v]) continue;
+        __builtin_memcpy(tile.last[v], query[v].best, sizeof tile.last[v]);
+        const Mask<kPacketSize> on = Mask<kPacketSize>::fromBits(legal.of[v]);
+        for (int k = 0; k < 3; ++k) {
+            const R from = R::load(tile.rays[v].org[k]);
+            const R end = from + R::load(tile.rays[v].dir[k]) * R::load(query[v].best);
+            const R near = (magnitude(from) + R(magnitude(Real<1>(tile.apex[k])).v)) * R(0x1p-14f);
+            if (any(andNot(on, magnitude(end - R(tile.apex[k])) <= near))) return false;
+        }
+    }
+    return true;
+}
+
+/// Fills the queries of a tile with what its rays hit.
+template <template <int> class Precision, HitMode M>
+void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
+             Search<kPacketSize, M, NoCounts>* query) {
+    RayTile tile;
+    TileLanes legal{};
+    WorldRays<kPacketSize> world;
+    for (uint32_t v = 0; v < count; ++v) {
+        const RayArrays in(packets[v]);
+        query[v].lastOfEqual = scene.lastOfEqual != 0;
+        legal.of[v] = prepareRays<kPacketSize, M, NoCounts>(
+            in.org, in.dir, in.tNear, in.tFar, in.active, tile.rays[v], world.scale, query[v]);
+    }
+    if (!legal.count()) return;
+    if (findApex<M>(legal, query, tile)) {
+        TileScene<Precision, M>::model(scene, tile, legal, query, false);
+        return;
+    }
+    for (uint32_t v = 0; v < count; ++v)
+        if (legal.of[v])
+            SceneTraversal<Precision, kPacketSize, M, NoCounts>::model(scene, tile.rays[v],
+                                                                       legal.of[v], query[v]);
+}
+
+template <template <int> class Precision>
+void intersectTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
+                   HitPacket* hits) {
+    if constexpr (kIsPrecise<Precision>) {
+        for (uint32_t v = 0; v < count; ++v) intersect<Precision>(scene, packets[v], hits[v]);
+    } else {
+        Search<kPacketSize, HitMode::Closest, NoCounts> query[kTilePackets];
+        runTile<Precision>(scene, packets, count, query);
+        for (uint32_t v = 0; v < count; ++v) {
+            const RayArrays in(packets[v]);
+            refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query[v].triangle,
+                                    query[v].levels, query[v].path, hits[v].t, hits[v].u,
+                                    hits[v].v);
+            store(query[v], hits[v]);
+        }
+    }
+}
+
+template <template <int> class Precision>
+void occludedTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
+                  uint32_t* blocked) {
+    if constexpr (kIsPrecise<Precision>) {
+        for (uint32_t v = 0; v < count; ++v) occluded<Precision>(scene, packets[v], blocked[v]);
+    } else {
+        Search<kPacketSize, HitMode::Any, NoCounts> query[kTilePackets];
+        runTile<Precision>(scene, packets, count, query);
+        for (uint32_t v = 0; v < count; ++v) blocked[v] = query[v].blocked;
+    }
+}
+
 #define SMART_STRINGIZE_(x) #x
 #define SMART_STRINGIZE(x) SMART_STRINGIZE_(x)
 
@@ -149,6 +250,8 @@ const KernelTable kTable = {
     {occluded<Fast>, occluded<Watertight>, occluded<Precise>},
     {intersect1<Fast>, intersect1<Watertight>, intersect1<Precise>},
     {occluded1<Fast>, occluded1<Watertight>, occluded1<Precise>},
+    {intersectTile<Fast>, intersectTile<Watertight>, intersectTile<Precise>},
+    {occludedTile<Fast>, occludedTile<Watertight>, occludedTile<Precise>},
     {intersectAll1<Fast>, intersectAll1<Watertight>, intersectAll1<Precise>},
     {intersectCounted<Fast>, intersectCounted<Watertight>, intersectCounted<Precise>},
 };

@@ -66,6 +66,7 @@ struct alignas(64) Search {
 
     uint32_t currentPath[kMaxLevels];
     uint32_t currentLevels = 0;
+    uint32_t deepest = 0; ///< no hit has more levels
     Counter counter{};
 
     /// Whether the triangle at hand is preferred to the one stored for a lane at equal distance:
@@ -107,9 +108,13 @@ struct alignas(64) Search {
 
     /// Stores the triangle at hand for the lanes given.
     void keepTriangle(const Mask<N>& lanes, uint32_t candidate) {
-        keep(lanes, candidate, triangle);
+        keepTriangle(lanes, Word<N>(candidate));
+    }
+    void keepTriangle(const Mask<N>& lanes, const Word<N>& candidates) {
+        select(lanes, candidates, Word<N>::load(triangle)).store(triangle);
         keep(lanes, currentLevels, levels);
         for (uint32_t l = 0; l < currentLevels; ++l) keep(lanes, currentPath[l], path[l]);
+        deepest = deepest > currentLevels ? deepest : currentLevels;
     }
 
     /// HitMode::All: adds the triangle at hand, unless it was found in one of the last leaves too.

@@ -78,6 +78,11 @@ struct Real<kPacketSize> {
         for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::Load(Tag(), aligned + i * kRegisterLanes);
         return r;
     }
+    static Real loadUnaligned(const float* p) {
+        Real r;
+        for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::LoadU(Tag(), p + i * kRegisterLanes);
+        return r;
+    }
     void store(float* aligned) const {
         for (int i = 0; i < kRegisters; ++i) hn::Store(v[i], Tag(), aligned + i * kRegisterLanes);
     }
@@ -155,6 +160,26 @@ inline Word<kPacketSize> select(const Mask<kPacketSize>& m, const Word<kPacketSi
 inline Real<kPacketSize> magnitude(const Real<kPacketSize>& a) {
     Real<kPacketSize> r;
     for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::Abs(a.v[i]);
+    return r;
+}
+
+inline float smallestLane(const Real<kPacketSize>& a) {
+    hn::Vec<Tag> m = a.v[0];
+    for (int i = 1; i < kRegisters; ++i) m = hn::Min(m, a.v[i]);
+    return hn::GetLane(hn::MinOfLanes(Tag(), m));
+}
+inline float largestLane(const Real<kPacketSize>& a) {
+    hn::Vec<Tag> m = a.v[0];
+    for (int i = 1; i < kRegisters; ++i) m = hn::Max(m, a.v[i]);
+    return hn::GetLane(hn::MaxOfLanes(Tag(), m));
+}
+/// 1/a for positive normal a, off by less than 2^-14 of it; how much depends on the machine.
+inline Real<kPacketSize> roughReciprocal(const Real<kPacketSize>& a) {
+    Real<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) {
+        const hn::Vec<Tag> x = hn::ApproximateReciprocal(a.v[i]);
+        r.v[i] = hn::Mul(x, hn::Sub(hn::Set(Tag(), 2.0f), hn::Mul(a.v[i], x)));
+    }
     return r;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "libsmart/accel/kd_node.h"
+#include "libsmart/accel/wide_node.h"
 
 namespace smart {
 
@@ -27,6 +28,16 @@ struct KdView {
     const uint32_t* prims;
     float lo[3], hi[3];
     float maxAbs; ///< largest absolute coordinate of the box; scale of the padding
+};
+
+/// A tree of wide nodes.
+struct WideView {
+    const WideNode* nodes; ///< nullptr: nothing in it, or not built
+    const uint32_t* prims; ///< numbers of the primitives, leaf by leaf
+    /// Of a tree over triangles, instead of prims: a leaf of n triangles from entry f on owns the
+    /// words from 10 f on. These are n times the x of v0, n times its y and so on to the z of v2,
+    /// and n numbers of triangles. A whole packet of words may be read behind the last.
+    const float* blocks;
 };
 
 struct ModelView;
@@ -60,6 +71,9 @@ struct ModelView {
     /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while
     /// childTree's box still holds.
     uint32_t childCount;
+    /// For tiles of rays; set once the model has been prepared for them.
+    WideView wide;
+    WideView wideChildren; ///< over the children; empty where childTree is
     /// Of a scene, not 0: of hits at equal distance the last one counts, not the first.
     uint32_t lastOfEqual;
 };

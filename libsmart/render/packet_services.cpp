@@ -50,6 +50,20 @@ void fillPacket(const RayGroup& rays, uint32_t lanes, RayPacket& packet) {
     packet.active = lanes;
 }
 
+void takeHits(const HitPacket& found, uint32_t lanes, RayGroup& rays) {
+    forEach(lanes, [&](int i) {
+        Hit& hit = rays.hit[i];
+        hit.triangle = found.triangle[i];
+        if (hit.triangle == kNoHit) return;
+        hit.t = found.t[i];
+        hit.u = found.u[i];
+        hit.v = found.v[i];
+        hit.levels = found.levels[i];
+        for (uint32_t level = 0; level < hit.levels; ++level)
+            hit.path[level] = found.path[level][i];
+    });
+}
+
 bool samePath(const Hit& a, const Hit& b) {
     return a.levels == b.levels && std::equal(a.path, a.path + a.levels, b.path);
 }
@@ -66,17 +80,20 @@ void RayServices::findHits(RayGroup& rays, uint32_t lanes) const {
     fillPacket(rays, lanes, packet);
     HitPacket found;
     kernels_.intersect[precision_](frame_.scene->view(), packet, found);
-    forEach(lanes, [&](int i) {
-        Hit& hit = rays.hit[i];
-        hit.triangle = found.triangle[i];
-        if (hit.triangle == kNoHit) return;
-        hit.t = found.t[i];
-        hit.u = found.u[i];
-        hit.v = found.v[i];
-        hit.levels = found.levels[i];
-        for (uint32_t level = 0; level < hit.levels; ++level)
-            hit.path[level] = found.path[level][i];
-    });
+    takeHits(found, lanes, rays);
+}
+
+void RayServices::findTileHits(RayGroup* groups, const uint32_t* lanes) const {
+    if (!frame_.scene->readyForTiles(kTilePackets * uint32_t(kPacketSize))) {
+        for (uint32_t p = 0; p < kTilePackets; ++p)
+            if (lanes[p]) findHits(groups[p], lanes[p]);
+        return;
+    }
+    RayPacket packets[kTilePackets] = {};
+    for (uint32_t p = 0; p < kTilePackets; ++p) fillPacket(groups[p], lanes[p], packets[p]);
+    HitPacket found[kTilePackets];
+    kernels_.intersectTile[precision_](frame_.scene->view(), packets, kTilePackets, found);
+    for (uint32_t p = 0; p < kTilePackets; ++p) takeHits(found[p], lanes[p], groups[p]);
 }
 
 uint32_t RayServices::findOccluded(const RayGroup& rays, uint32_t lanes) const {
@@ -85,7 +102,10 @@ uint32_t RayServices::findOccluded(const RayGroup& rays, uint32_t lanes) const {
     RayPacket packet{};
     fillPacket(rays, lanes, packet);
     uint32_t blocked = 0;
-    kernels_.occluded[precision_](frame_.scene->view(), packet, blocked);
+    if (frame_.scene->readyForTiles(0)) // for rays to a point light
+        kernels_.occludedTile[precision_](frame_.scene->view(), &packet, 1, &blocked);
+    else
+        kernels_.occluded[precision_](frame_.scene->view(), packet, blocked);
     return blocked & lanes;
 }
 

@@ -106,6 +106,8 @@ public:
 
     /// Finds what the rays of the given lanes meet.
     void findHits(RayGroup& rays, uint32_t lanes) const;
+    /// The same for the kTilePackets groups of neighbouring camera rays.
+    void findTileHits(RayGroup* groups, const uint32_t* lanes) const;
     /// All that a ray meets, each triangle once, in order of submission. They lie in `memory`.
     std::span<const Hit> findAllHits(const Ray& ray, std::vector<Hit>& memory) const;
     /// The surface shader of what a ray hit; nullptr: there is none.

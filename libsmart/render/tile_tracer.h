@@ -36,6 +36,8 @@ private:
     bool clear(uint32_t i, uint32_t j);
     uint32_t visibleLanes(uint32_t packet);
     void makeRays(uint32_t packet, uint32_t sample);
+    /// Makes the rays of an 8 x 8 block from a packet on, and finds what they hit.
+    void traceBlock(uint32_t packet, uint32_t sample);
     void traceSample(uint32_t sample);
     /// Copies sixteen rays, or as many as there are, and returns their lanes.
     uint32_t collect(std::span<const RayNumber> rays, RayGroup& group) const;
@@ -124,16 +126,25 @@ void TileTracer<Shading>::makeRays(uint32_t packet, uint32_t sample) {
 }
 
 template <class Shading>
+void TileTracer<Shading>::traceBlock(uint32_t packet, uint32_t sample) {
+    uint32_t some = 0;
+    for (uint32_t p = packet; p < packet + kTilePackets; ++p) {
+        rays_->active[p] = 0;
+        if (visible_[p] != 0) makeRays(p, sample);
+        some |= rays_->active[p];
+    }
+    if (some != 0) services_.findTileHits(&rays_->packets[packet], &rays_->active[packet]);
+}
+
+template <class Shading>
 void TileTracer<Shading>::traceSample(uint32_t sample) {
     rays_->groups.clear();
     std::size_t misses = 0;
     for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet) {
-        if (visible_[packet] == 0) continue;
-        makeRays(packet, sample);
+        if (packet % kTilePackets == 0) traceBlock(packet, sample);
         const uint32_t active = rays_->active[packet];
         if (active == 0) continue;
         RayGroup& group = rays_->packets[packet];
-        services_.findHits(group, active);
         pixels_.primaryRays += uint64_t(std::popcount(active));
         forEach(active, [&](int i) {
             const auto ray = RayNumber(packet * kLanes + uint32_t(i));

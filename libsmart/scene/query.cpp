@@ -11,7 +11,7 @@
 namespace smart {
 namespace {
 
-constexpr std::size_t kLanes = kPacketSize;
+constexpr std::size_t kLanes = kPacketSize, kTileLanes = kLanes * kTilePackets;
 
 /// Reads single values of the application's rays.
 class RayReader {
@@ -33,7 +33,40 @@ public:
                 tNear(i),
                 tFar(i)};
     }
-    /// Rays first.. in as many lanes; lanes left over hold a harmless ray and are not active.
+    /// Rays first.. in as many packets as they need, kTilePackets at most; returns how many.
+    uint32_t fill(RayPacket* packets, std::size_t first, std::size_t count) const {
+        uint32_t used = 0;
+        for (std::size_t done = 0; done < count; done += kLanes, ++used) {
+            const std::size_t lanes = std::min(kLanes, count - done);
+            if (lanes == kLanes && stream_.stride == 1)
+                copy(packets[used], first + done);
+            else
+                fill(packets[used], first + done, lanes);
+        }
+        return used;
+    }
+
+private:
+    /// Sixteen rays that lie one behind the other.
+    void copy(RayPacket& packet, std::size_t first) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (stream_.commonOrigin)
+                std::fill_n(packet.org[axis], kLanes, stream_.org[axis][0]);
+            else
+                std::copy_n(stream_.org[axis] + first, kLanes, packet.org[axis]);
+            std::copy_n(stream_.dir[axis] + first, kLanes, packet.dir[axis]);
+        }
+        if (stream_.tNear)
+            std::copy_n(stream_.tNear + first, kLanes, packet.tNear);
+        else
+            std::fill_n(packet.tNear, kLanes, 0.0f);
+        if (stream_.tFar)
+            std::copy_n(stream_.tFar + first, kLanes, packet.tFar);
+        else
+            std::fill_n(packet.tFar, kLanes, std::numeric_limits<float>::infinity());
+        packet.active = (1u << kLanes) - 1;
+    }
+    /// Lanes left over hold a harmless ray and are not active.
     void fill(RayPacket& packet, std::size_t first, std::size_t lanes) const {
         for (int axis = 0; axis < 3; ++axis) {
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -48,7 +81,6 @@ public:
         packet.active = (1u << lanes) - 1;
     }
 
-private:
     std::ptrdiff_t at(std::size_t i) const { return std::ptrdiff_t(i) * stream_.stride; }
 
     const RayStream& stream_;
@@ -133,14 +165,19 @@ void intersect(const Scene& scene, const RayStream& rays, const HitStream& hits,
         return;
     }
     const auto intersect16 = kernels().intersect[precision];
-    RayPacket packet;
-    HitPacket found;
-    for (std::size_t first = 0; first < count; first += kLanes) {
-        const std::size_t lanes = std::min(kLanes, count - first);
-        reader.fill(packet, first, lanes);
-        intersect16(scene.view(), packet, found);
+    const auto intersectTile = kernels().intersectTile[precision];
+    const bool tiled = scene.readyForTiles(count);
+    RayPacket packets[kTilePackets];
+    HitPacket found[kTilePackets];
+    for (std::size_t first = 0; first < count; first += kTileLanes) {
+        const std::size_t lanes = std::min(kTileLanes, count - first);
+        const uint32_t used = reader.fill(packets, first, lanes);
+        if (tiled)
+            intersectTile(scene.view(), packets, used, found);
+        else
+            for (uint32_t p = 0; p < used; ++p) intersect16(scene.view(), packets[p], found[p]);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            writer.write(first + lane, laneHit(found, lane));
+            writer.write(first + lane, laneHit(found[lane / kLanes], lane % kLanes));
         }
     }
 }
@@ -158,14 +195,19 @@ void occluded(const Scene& scene, const RayStream& rays, uint8_t* blocked, std::
         return;
     }
     const auto occluded16 = kernels().occluded[precision];
-    RayPacket packet;
-    for (std::size_t first = 0; first < count; first += kLanes) {
-        const std::size_t lanes = std::min(kLanes, count - first);
-        reader.fill(packet, first, lanes);
-        uint32_t mask = 0;
-        occluded16(scene.view(), packet, mask);
+    const auto occludedTile = kernels().occludedTile[precision];
+    const bool tiled = scene.readyForTiles(count);
+    RayPacket packets[kTilePackets];
+    for (std::size_t first = 0; first < count; first += kTileLanes) {
+        const std::size_t lanes = std::min(kTileLanes, count - first);
+        const uint32_t used = reader.fill(packets, first, lanes);
+        uint32_t masks[kTilePackets] = {};
+        if (tiled)
+            occludedTile(scene.view(), packets, used, masks);
+        else
+            for (uint32_t p = 0; p < used; ++p) occluded16(scene.view(), packets[p], masks[p]);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            blocked[first + lane] = (mask >> lane) & 1;
+            blocked[first + lane] = (masks[lane / kLanes] >> (lane % kLanes)) & 1;
         }
     }
 }

@@ -57,11 +57,36 @@ Scene::Scene(std::vector<Instance> instances, Precision precision, unsigned thre
     buildSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+void Scene::prepareTiles() const {
+    if (precision_ == Precision::Precise) return;
+    std::call_once(tilesOnce_, [this] {
+        for (const Instance& instance : group_.instances())
+            if (instance.model) instance.model->prepareTiles();
+        tileTrees_ = TileTrees({}, {}, group_);
+        tileBytes_.store(tileTrees_.bytes(), std::memory_order_relaxed);
+        tileTrees_.show(view_);
+        tilesReady_.store(true, std::memory_order_release);
+    });
+}
+
+bool Scene::readyForTiles(uint64_t rays) const {
+    if (tilesReady_.load(std::memory_order_acquire)) return true;
+    if (precision_ == Precision::Precise) return false;
+    constexpr uint64_t kPrimitivesOfRay = 4;
+    std::call_once(tilesPayOnce_, [this] {
+        const SceneStatistics sizes = smart::statistics(*this);
+        tilesPay_ = (sizes.triangles + sizes.instances) / kPrimitivesOfRay;
+    });
+    if (tileRays_.fetch_add(rays, std::memory_order_relaxed) + rays < tilesPay_) return false;
+    prepareTiles();
+    return true;
+}
+
 SceneStatistics statistics(const Scene& scene) {
     StatisticsCollector collector;
     collector.add(scene.group());
     collector.statistics.instances = scene.group().instances().size();
-    collector.statistics.bytes += sizeof(Scene) + scene.group().bytes();
+    collector.statistics.bytes += sizeof(Scene) + scene.group().bytes() + scene.tileBytes();
     return collector.statistics;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "libsmart/geometry/instance_group.h"
@@ -21,6 +23,15 @@ public:
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
+    /// Whether tiles of rays (KernelTable::intersectTile, occludedTile) may be traced; `rays` of
+    /// them are about to be. What tiles walk is made when so many have come that it pays: one for
+    /// four triangles. Until then, and always in precise mode, packets are traced. Thread-safe.
+    bool readyForTiles(uint64_t rays) const;
+    /// Makes it at once.
+    void prepareTiles() const;
+    /// Bytes of the scene's own share of it; what models hold counts with them.
+    std::size_t tileBytes() const { return tileBytes_.load(std::memory_order_relaxed); }
+
     const InstanceGroup& group() const { return group_; }
     const ModelView& view() const { return view_; }
     Precision precision() const { return precision_; }
@@ -28,7 +39,13 @@ public:
 
 private:
     InstanceGroup group_;
-    ModelView view_{};
+    mutable ModelView view_{};
+    mutable std::once_flag tilesOnce_, tilesPayOnce_;
+    mutable std::atomic<bool> tilesReady_{false};
+    mutable std::atomic<uint64_t> tileRays_{0};
+    mutable uint64_t tilesPay_ = 0; ///< from so many rays on
+    mutable TileTrees tileTrees_;
+    mutable std::atomic<std::size_t> tileBytes_{0};
     Precision precision_;
     double buildSeconds_ = 0;
 };

@@ -101,6 +101,7 @@ public:
         RTCRayHit16 work;
         alignas(64) int valid[16];
         for (std::size_t p = first; p < first + count; ++p) {
+            if (!rays.packets[p].active) continue;
             fill(rays.packets[p], work.ray, valid);
             std::fill(work.hit.geomID, work.hit.geomID + 16, RTC_INVALID_GEOMETRY_ID);
             std::fill(work.hit.instID[0], work.hit.instID[0] + 16, RTC_INVALID_GEOMETRY_ID);
@@ -118,6 +119,8 @@ public:
         RTCRay16 work;
         alignas(64) int valid[16];
         for (std::size_t p = first; p < first + count; ++p) {
+            blocked[p] = 0;
+            if (!rays.packets[p].active) continue;
             fill(rays.packets[p], work, valid);
             rtcOccluded16(valid, scene_->scene(), &context, &work);
             uint32_t mask = 0;

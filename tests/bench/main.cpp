@@ -100,6 +100,8 @@ void runRays(const Options& options, const std::vector<Triangle>& triangles, Rep
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, precision, options.threads, built);
     report.builds.push_back({"openrt", options.threads, built});
+    if (precision != Precision::Precise)
+        report.builds.push_back({"openrt, for tiles beside it", 1, prepareTiles(*scene)});
     std::vector<EnginePtr> engines = openrtEngines(scene, precision, options.plantError);
 #ifdef OPENRT_BENCH_EMBREE
     for (const bool robust : {false, true}) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <barrier>
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 namespace smart::bench {
@@ -12,26 +13,37 @@ namespace {
 
 constexpr std::size_t kChunk = 256; ///< packets that a thread takes at a time
 
-/// Seconds from the moment when all threads are ready to the end of the last.
+double processorSeconds() {
+    timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+/// Seconds from the moment when all threads are ready to the end of the last; of one thread its
+/// processor time, which does not count what else the machine did.
 template <typename Work>
 double timed(const Engine& engine, std::size_t packets, unsigned threads, const Work& work) {
     std::atomic<std::size_t> next{0};
     auto start = std::chrono::steady_clock::now();
     const auto begin = [&start]() noexcept { start = std::chrono::steady_clock::now(); };
     std::barrier ready(std::ptrdiff_t(threads), begin);
+    double alone = 0;
     std::vector<std::thread> workers;
     for (unsigned i = 0; i < threads; ++i) {
         workers.emplace_back([&] {
             engine.enterThread();
             ready.arrive_and_wait();
+            const double entered = processorSeconds();
             for (;;) {
                 const std::size_t first = next.fetch_add(kChunk);
-                if (first >= packets) return;
+                if (first >= packets) break;
                 work(first, std::min(kChunk, packets - first));
             }
+            if (threads == 1) alone = processorSeconds() - entered;
         });
     }
     for (std::thread& worker : workers) worker.join();
+    if (threads == 1) return alone;
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

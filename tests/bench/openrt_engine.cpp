@@ -56,6 +56,35 @@ private:
     const bool plantError_;
 };
 
+/// Four packets at a time.
+class TileEngine final : public OpenrtEngine {
+public:
+    using OpenrtEngine::OpenrtEngine;
+    void closest(const RaySet& rays, std::size_t first, std::size_t count,
+                 Found* found) const override {
+        HitPacket hits[kTilePackets];
+        for (std::size_t p = first, n = 0; p < first + count; p += n) {
+            n = std::min<std::size_t>(kTilePackets, first + count - p);
+            kernels_.intersectTile[mode()](scene_->view(), &rays.packets[p], uint32_t(n), hits);
+            for (std::size_t i = 0; i < n; ++i) {
+                std::copy_n(hits[i].t, kPacketSize, found[p + i].t);
+                std::copy_n(hits[i].triangle, kPacketSize, found[p + i].triangle);
+            }
+        }
+    }
+    void any(const RaySet& rays, std::size_t first, std::size_t count,
+             uint32_t* blocked) const override {
+        for (std::size_t p = first, n = 0; p < first + count; p += n) {
+            n = std::min<std::size_t>(kTilePackets, first + count - p);
+            kernels_.occludedTile[mode()](scene_->view(), &rays.packets[p], uint32_t(n),
+                                          blocked + p);
+        }
+    }
+
+private:
+    const char* form() const override { return "tile"; }
+};
+
 class SingleEngine final : public OpenrtEngine {
 public:
     using OpenrtEngine::OpenrtEngine;
@@ -165,9 +194,22 @@ ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision
     return scene;
 }
 
+BuildReport prepareTiles(const Scene& scene) {
+    const std::size_t before = statistics(scene).bytes;
+    const auto start = std::chrono::steady_clock::now();
+    scene.prepareTiles();
+    BuildReport report;
+    report.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report.bytes = statistics(scene).bytes - before;
+    return report;
+}
+
 std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision, bool plantError) {
     std::vector<EnginePtr> engines;
     engines.push_back(std::make_unique<PacketEngine>(scene, precision, plantError));
+    if (precision != Precision::Precise)
+        engines.push_back(std::make_unique<TileEngine>(scene, precision));
     engines.push_back(std::make_unique<SingleEngine>(scene, precision));
     engines.push_back(std::make_unique<StreamEngine>(scene, precision));
     return engines;

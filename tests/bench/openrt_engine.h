@@ -10,7 +10,10 @@ namespace smart::bench {
 ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision, unsigned threads,
                      BuildReport& report);
 
-/// Packets, single rays and the public ray stream, with the kernels that are selected now.
+/// Makes what tiles of rays walk; seconds and bytes of that alone.
+BuildReport prepareTiles(const Scene& scene);
+
+/// Packets, tiles, single rays and the public ray stream, with the kernels that are selected now.
 /// plantError: every 1000th packet names a wrong triangle, so that the comparison can be proved.
 std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision, bool plantError);
 

@@ -85,7 +85,7 @@ std::ostream& operator<<(std::ostream& out, const Report& report) {
     out << report.scene << ": " << report.triangles << " triangles\n"
         << std::fixed << std::setprecision(2);
     for (const BuildResult& build : report.builds) {
-        out << "build  " << std::left << std::setw(24) << build.engine << std::right
+        out << "build  " << std::left << std::setw(28) << build.engine << std::right
             << build.threads << " thread(s) " << std::setprecision(3) << std::setw(9)
             << build.report.seconds << " s, " << std::setprecision(1)
             << double(build.report.bytes) / double(report.triangles) << " bytes a triangle\n"

@@ -97,6 +97,8 @@ RaySet primaryRays(const View& view, uint32_t size) {
 RaySet shadowRays(const View& view, const RaySet& primary, const ModelView& scene,
                   const std::vector<Triangle>& triangles) {
     RaySet set;
+    RayPacket block[kTilePackets];
+    uint32_t filled = 0;
     for (const RayPacket& packet : primary.packets) {
         HitPacket hits;
         kernels().intersect[int(Precision::Watertight)](scene, packet, hits);
@@ -128,7 +130,13 @@ RaySet shadowRays(const View& view, const RaySet& primary, const ModelView& scen
             shadow.tFar[lane] = 1;
             shadow.active |= 1u << lane;
         }
-        if (shadow.active) set.add(shadow);
+        block[filled++] = shadow;
+        if (filled < kTilePackets && &packet != &primary.packets.back()) continue;
+        // Blocks stay together, but for those without a ray.
+        const bool any = std::any_of(block, block + filled,
+                                     [](const RayPacket& p) { return p.active != 0; });
+        for (uint32_t i = 0; i < filled && any; ++i) set.add(block[i]);
+        filled = 0;
     }
     return set;
 }

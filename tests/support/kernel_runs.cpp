@@ -104,6 +104,59 @@ std::vector<uint8_t> blockedSingles(const KernelTable& kernels, Precision precis
     return blocked;
 }
 
+namespace {
+
+/// Calls trace(packets, how many, where each one's rays are).
+struct PacketRays {
+    std::vector<int> lanes;
+    std::size_t first;
+};
+template <typename Trace>
+void forTiles(std::span<const Ray> rays, Filling filling, const Trace& trace) {
+    std::vector<RayPacket> packets;
+    std::vector<PacketRays> where;
+    forPackets(rays, filling,
+               [&](const RayPacket& packet, std::span<const int> lanes, std::size_t first) {
+                   packets.push_back(packet);
+                   where.push_back({{lanes.begin(), lanes.end()}, first});
+               });
+    for (std::size_t p = 0; p < packets.size(); p += kTilePackets) {
+        const auto count = std::min<std::size_t>(kTilePackets, packets.size() - p);
+        trace(&packets[p], uint32_t(count), std::span<const PacketRays>(&where[p], count));
+    }
+}
+
+} // namespace
+
+std::vector<Hit> traceTiles(const KernelTable& kernels, Precision precision,
+                            const ModelView& scene, std::span<const Ray> rays, Filling filling) {
+    std::vector<Hit> hits(rays.size());
+    forTiles(rays, filling,
+             [&](const RayPacket* packets, uint32_t count, std::span<const PacketRays> where) {
+                 HitPacket result[kTilePackets];
+                 kernels.intersectTile[int(precision)](scene, packets, count, result);
+                 for (uint32_t p = 0; p < count; ++p)
+                     for (std::size_t i = 0; i < where[p].lanes.size(); ++i)
+                         hits[where[p].first + i] = laneOf(result[p], where[p].lanes[i]);
+             });
+    return hits;
+}
+
+std::vector<uint8_t> blockedTiles(const KernelTable& kernels, Precision precision,
+                                  const ModelView& scene, std::span<const Ray> rays,
+                                  Filling filling) {
+    std::vector<uint8_t> blocked(rays.size());
+    forTiles(rays, filling,
+             [&](const RayPacket* packets, uint32_t count, std::span<const PacketRays> where) {
+                 uint32_t masks[kTilePackets] = {};
+                 kernels.occludedTile[int(precision)](scene, packets, count, masks);
+                 for (uint32_t p = 0; p < count; ++p)
+                     for (std::size_t i = 0; i < where[p].lanes.size(); ++i)
+                         blocked[where[p].first + i] = masks[p] >> where[p].lanes[i] & 1;
+             });
+    return blocked;
+}
+
 bool sameHit(const Hit& a, const Hit& b) {
     if (a.triangle != b.triangle) return false;
     if (a.triangle == kNoHit) return true;

@@ -28,6 +28,13 @@ std::vector<uint8_t> blockedPackets(const KernelTable& kernels, Precision precis
 std::vector<uint8_t> blockedSingles(const KernelTable& kernels, Precision precision,
                                     const ModelView& scene, std::span<const Ray> rays);
 
+/// The same for tiles of packets.
+std::vector<Hit> traceTiles(const KernelTable& kernels, Precision precision,
+                            const ModelView& scene, std::span<const Ray> rays, Filling filling);
+std::vector<uint8_t> blockedTiles(const KernelTable& kernels, Precision precision,
+                                  const ModelView& scene, std::span<const Ray> rays,
+                                  Filling filling);
+
 /// Equal in every bit that is defined.
 bool sameHit(const Hit& a, const Hit& b);
 /// Number of hits that differ.

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+// Traversal of a tree of wide nodes by a tile of 64 rays: sixteen child boxes at once against the
+// beam, the boxes that are left against the rays, sixteen at once; in a leaf sixteen triangles at
+// once against the packets, and what is left against the rays.
+//
+// Nothing is decided here that the single ray would decide otherwise: boxes and triangles are only
+// dropped where bounds of all roundings allow it, a hit is only taken over where they prove that
+// the exact test takes it and float distances order it; the exact test does the rest.
+#pragma once
+
+#include "libsmart/kernel/edge_functions.h"
+#include "libsmart/kernel/intersect.h"
+#include "libsmart/kernel/wide_traversal.h"
+
+namespace smart::SMART_ISA {
+
+/// Built in place when it is first needed.
+template <class T>
+class Lazy {
+public:
+    template <class Make>
+    HWY_INLINE T& get(const Make& make) {
+        if (!made_) {
+            new (memory_) T(make());
+            made_ = true;
+        }
+        return *reinterpret_cast<T*>(memory_);
+    }
+
+private:
+    bool made_ = false;
+    alignas(T) unsigned char memory_[sizeof(T)];
+};
+
+/// One model's own triangles, one beam.
+template <template <int> class Precision, HitMode M>
+class TileTraversal {
+public:
+    static constexpr int N = kPacketSize;
+    using Query = Search<N, M, NoCounts>;
+    /// Whether linear functions may decide: they know what the watertight test would say.
+    static constexpr bool kDecides = std::is_same_v<Precision<N>, Watertight<N>>;
+
+    TileTraversal(const ModelView& model, const RayTile& tile, const Beam& beam,
+                  const RayGroup& group, const TileLanes& lanes, Query* query)
+        : model_(model), tile_(tile), beam_(beam), group_(group), lanes_(lanes), query_(query) {
+        slack_ = 0;
+        if (!tile.startsThere) slack_ = 16 * 0x1p-24f * beam.reach() + 5 * beam.stray();
+        // Records of the fast mode are off by some units in the last place of the coordinates.
+        if (!kDecides) slack_ = slack_ + 160 * 0x1p-24f * beam.scale();
+        for (int v = 0; v < kTileVectors; ++v)
+            if (lanes.of[v])
+                start(v);
+            else
+                near_[v] = farDepth_[v] = Real<N>(-__builtin_inff());
+        updateLimits(packets_);
+    }
+
+    void run() {
+        traverseWide(model_.wide.nodes, beam_, *this);
+    }
+
+    /// Brings the queries up to date. exactly: also the distances of the hits, for models to come.
+    void finish(bool exactly) {
+        if constexpr (M == HitMode::Closest) {
+            for (int v = 0; v < kTileVectors; ++v) {
+                if (!unsettled_[v]) continue;
+                if (exactly)
+                    settle(v, unsettled_[v]);
+                else
+                    name(v, unsettled_[v]);
+            }
+        }
+    }
+
+    // What traverseWide asks.
+    uint32_t packets() const { return packets_; }
+    float farthestDepth() const { return far_; }
+    const Real<N>& nearDepth(int v) const { return near_[v]; }
+    const Real<N>& farDepth(int v) const { return farDepth_[v]; }
+    HWY_INLINE void prefetch(uint32_t child) const {
+        const char* const next =
+            child & kWideLeaf
+                ? reinterpret_cast<const char*>(block((child & ~kWideLeaf) >> 4))
+                : reinterpret_cast<const char*>(model_.wide.nodes + child);
+        for (int line = 0; line < 7; ++line) __builtin_prefetch(next + 64 * line);
+    }
+
+    HWY_INLINE void leaf(uint32_t child, uint32_t packets, const Mask<N>* active) {
+        const uint32_t count = (child & 15u) + 1;
+        const float* const triangles = block((child & ~kWideLeaf) >> 4);
+        EdgeFunctions edges;
+        uint64_t pairs = edges.setUp(beam_, triangles, count, packets, farthest_, slack_);
+        if (!pairs) return;
+        uint32_t changed = 0;
+        for (; pairs; pairs &= pairs - 1) {
+            const int pair = __builtin_ctzll(pairs);
+            const int v = pair >> 4, i = pair & 15;
+            const Real<N> x = beam_.slope(0, v), y = beam_.slope(1, v);
+            const auto edge = [&](int e) {
+                return Real<N>(edges.z[e][i]) + Real<N>(edges.x[e][i]) * x +
+                       Real<N>(edges.y[e][i]) * y;
+            };
+            const Real<N> lowest = min(min(edge(0), edge(1)), edge(2));
+            const Real<N> inverse = Real<N>(edges.depthZ[i]) + Real<N>(edges.depthX[i]) * x +
+                                    Real<N>(edges.depthY[i]) * y;
+            const Real<N> upper = inverse * Real<N>(edges.nearer[i]);
+            const Mask<N> possible =
+                active[v] & (lowest >= Real<N>(-edges.bound[i])) & (upper >= low_[v]);
+            if constexpr (kDecides) {
+                const Real<N> lower = inverse * Real<N>(edges.farther[i]);
+                const Mask<N> sure = possible & (lowest >= Real<N>(edges.sure[i])) &
+                                     (lower >= high_[v]) & (upper <= inverseLimit_[v]);
+                const uint32_t taken = sure.bits(), open = possible.bits() & ~taken;
+                take(v, taken, sure, lower, upper, number(triangles, count, i));
+                changed |= uint32_t(taken != 0) << v;
+                uint32_t rest = open;
+                if (M == HitMode::Any && open && edges.sure[i] < __builtin_inff())
+                    rest = ahead(triangles, count, i, v, open);
+                if (!rest) continue;
+                changed |= uint32_t(decide(triangles, count, i, v, rest)) << v;
+            } else {
+                const uint32_t open = possible.bits();
+                if (open) changed |= uint32_t(decide(triangles, count, i, v, open)) << v;
+            }
+        }
+        if (changed) updateLimits(changed);
+    }
+
+private:
+    /// Near and far depth of the rays of a packet.
+    HWY_INLINE void start(int v) {
+        const Mask<N> on = Mask<N>::fromBits(lanes_.of[v]);
+        const DepthRange range(tile_, beam_, v, Real<N>::load(query_[v].tNear),
+                               Real<N>::load(query_[v].best));
+        // Where doubt about distances begins: see Watertight.
+        const Real<N> doubtful(beam_.scale() * 0x1p-9f);
+        const Real<N> surelyFrom =
+            tile_.startsThere ? max(range.from, doubtful) : range.from + Real<N>(4 * beam_.pad());
+        near_[v] = range.from;
+        const Real<N> slip(tile_.startsThere ? 0.0f : 4 * beam_.pad());
+        low_[v] = select(on, roughInverse(range.limit + slip) * Real<N>(1 - 0x1p-10f),
+                         Real<N>(__builtin_inff()));
+        high_[v] = roughInverse(range.limit - slip) * Real<N>(1 + 0x1p-10f);
+        inverseLimit_[v] = roughInverse(surelyFrom * Real<N>(1 + 0x1p-8f));
+        farDepth_[v] = select(on, range.to, Real<N>(-__builtin_inff()));
+        if (any(on & (range.from <= range.to))) packets_ |= 1u << v;
+    }
+    /// 1/a, off by less than 2^-13 of it, for a from 0 to infinity.
+    static Real<N> roughInverse(const Real<N>& a) {
+        return roughReciprocal(min(max(a, Real<N>(0x1p-100f)), Real<N>(0x1p100f)));
+    }
+
+    /// After hits of the packets given: how far the rays still have to look.
+    HWY_INLINE void updateLimits(uint32_t packets) {
+        Real<N> far(-__builtin_inff());
+        for (int v = 0; v < kTileVectors; ++v) {
+            if (packets >> v & 1) {
+                if constexpr (M == HitMode::Closest)
+                    farDepth_[v] = select(Mask<N>::fromBits(lanes_.of[v]),
+                                          roughInverse(low_[v]) * Real<N>(1 + 0x1p-12f),
+                                          farDepth_[v]);
+                farthest_[v] = smallestLane(low_[v]);
+            }
+            if (packets_ >> v & 1) far = max(far, farDepth_[v]);
+        }
+        far_ = largestLane(far);
+    }
+
+    const float* block(uint32_t first) const {
+        return model_.wide.blocks + kWordsOfTriangle * std::size_t(first);
+    }
+    static uint32_t number(const float* triangles, uint32_t count, int i) {
+        uint32_t number;
+        __builtin_memcpy(&number, triangles + 9 * count + uint32_t(i), sizeof number);
+        return number;
+    }
+
+    /// Rays of packet v hit a triangle, nearer than all else so far.
+    HWY_INLINE void take(int v, uint32_t lanes, const Mask<N>& mask, const Real<N>& lower,
+                         const Real<N>& upper, uint32_t triangle) {
+        if constexpr (M == HitMode::Any) {
+            block(v, lanes);
+        } else {
+            low_[v] = select(mask, lower, low_[v]);
+            high_[v] = select(mask, upper, high_[v]);
+            found_[v] = select(mask, Word<N>(triangle), found_[v]);
+            unsettled_[v] |= lanes;
+            __builtin_prefetch(model_.triangles + triangle);
+        }
+    }
+    HWY_INLINE void block(int v, uint32_t lanes) {
+        Query& query = query_[v];
+        query.blocked |= lanes;
+        const Mask<N> done = Mask<N>::fromBits(lanes);
+        low_[v] = select(done, Real<N>(__builtin_inff()), low_[v]);
+        farDepth_[v] = select(done, Real<N>(-__builtin_inff()), farDepth_[v]);
+        if (!(lanes_.of[v] & ~query.blocked)) packets_ &= ~(1u << v);
+    }
+
+    static void load(const float* triangles, uint32_t count, int i, Triangle& triangle) {
+        const float* from = triangles + i;
+        for (float* vertex : {triangle.v0, triangle.v1, triangle.v2})
+            for (int k = 0; k < 3; ++k, from += count) vertex[k] = *from;
+    }
+
+    /// Of the given rays of packet v, those that do not start behind the plane of triangle i: the
+    /// exact test would find the same in double. Most of what a shadow ray has left is the surface
+    /// that it starts on.
+    [[gnu::noinline]] uint32_t ahead(const float* triangles, uint32_t count, int i, int v,
+                                     uint32_t lanes) const {
+        Triangle triangle;
+        load(triangles, count, i, triangle);
+        double e1[3], e2[3], n[3];
+        for (int k = 0; k < 3; ++k) {
+            e1[k] = double(triangle.v1[k]) - triangle.v0[k];
+            e2[k] = double(triangle.v2[k]) - triangle.v0[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int a = (k + 1) % 3, b = (k + 2) % 3;
+            n[k] = e1[a] * e2[b] - e1[b] * e2[a];
+        }
+        const hn::CappedTag<double, 8> real;
+        const hn::Rebind<float, decltype(real)> narrow;
+        const LocalRays<N>& rays = tile_.rays[v];
+        uint32_t behind = 0;
+        for (int first = 0; first < N; first += int(hn::Lanes(real))) {
+            auto depth = hn::Zero(real), slope = hn::Zero(real);
+            for (int k = 0; k < 3; ++k) {
+                const auto normal = hn::Set(real, n[k]);
+                const auto org = hn::PromoteTo(real, hn::Load(narrow, rays.org[k] + first));
+                const auto dir = hn::PromoteTo(real, hn::Load(narrow, rays.dir[k] + first));
+                const auto towards = hn::Sub(hn::Set(real, triangle.v0[k]), org);
+                depth = hn::Add(depth, hn::Mul(towards, normal));
+                slope = hn::Add(slope, hn::Mul(dir, normal));
+            }
+            // A distance that float could round to zero stays.
+            const auto least = hn::Mul(hn::Mul(slope, slope), hn::Set(real, -0x1p-100));
+            uint64_t bits = 0;
+            hn::StoreMaskBits(real, hn::Lt(hn::Mul(depth, slope), least),
+                              reinterpret_cast<uint8_t*>(&bits));
+            behind |= uint32_t(bits) << first;
+        }
+        return lanes & ~behind;
+    }
+
+    /// The exact test of triangle i of a leaf by the given rays of packet v; whether it changed
+    /// anything.
+    [[gnu::noinline]] bool decide(const float* triangles, uint32_t count, int i, int v,
+                                  uint32_t lanes) {
+        Query& query = query_[v];
+        if (M == HitMode::Closest && (unsettled_[v] & lanes)) settle(v, unsettled_[v] & lanes);
+        const Precision<N>& precision = exact(v);
+        const uint32_t prim = number(triangles, count, i);
+        Real<N> t, best = Real<N>::load(query.best);
+        Mask<N> hit;
+        if constexpr (kDecides) {
+            Triangle triangle;
+            load(triangles, count, i, triangle);
+            hit = precision.meet(triangle, Mask<N>::fromBits(lanes), t);
+            if (!any(hit)) return false;
+            hit = precision.comparable(prim, hit, t, best, query);
+        } else {
+            hit = precision.meet(prim, Mask<N>::fromBits(lanes), t);
+        }
+        hit = hit & (t >= Real<N>::load(query.tNear)) & (t <= best);
+        if constexpr (M == HitMode::Any) {
+            if (!any(hit)) return false;
+            block(v, hit.bits());
+        } else {
+            best = query.accept(hit, t, best, prim);
+            best.store(query.best);
+            // In double, `comparable` may have found a nearer one by itself.
+            const Mask<N> tested = Mask<N>::fromBits(lanes);
+            const Real<N> inverse = roughInverse(best * beam_.depthScale(v));
+            low_[v] = select(tested, inverse * Real<N>(1 - 0x1p-9f), low_[v]);
+            high_[v] = select(tested, inverse * Real<N>(1 + 0x1p-9f), high_[v]);
+        }
+        return true;
+    }
+
+    HWY_INLINE const Precision<N>& exact(int v) {
+        return exact_[v].get([&] {
+            RayGroup group = group_;
+            group.lanes = lanes_.of[v];
+            return Precision<N>(model_, tile_.rays[v], group);
+        });
+    }
+
+    /// Writes the names of hits that linear functions found.
+    void name(int v, uint32_t lanes) {
+        Query& query = query_[v];
+        unsettled_[v] &= ~lanes;
+        query.keepTriangle(Mask<N>::fromBits(lanes), found_[v]);
+    }
+
+    /// Also finds the distances that the exact test gives them.
+    [[gnu::noinline]] void settle(int v, uint32_t lanes) {
+        name(v, lanes);
+        Query& query = query_[v];
+        const Precision<N>& precision = exact(v);
+        for (; lanes; lanes &= lanes - 1) {
+            const int i = lowestBit(lanes);
+            Real<N> t;
+            precision.meet(query.triangle[i], Mask<N>::fromBits(1u << i), t);
+            alignas(64) float distances[N];
+            t.store(distances);
+            query.best[i] = distances[i];
+        }
+    }
+
+    const ModelView& model_;
+    const RayTile& tile_;
+    const Beam& beam_;
+    const RayGroup& group_;
+    const TileLanes& lanes_;
+    Query* const query_;
+    float slack_, far_;
+    uint32_t packets_ = 0; ///< with rays that still look for something
+    Real<N> near_[kTileVectors], farDepth_[kTileVectors]; ///< depths; none for lanes that are off
+    Real<N> low_[kTileVectors], high_[kTileVectors]; ///< bounds of 1/depth of the best hit
+    Real<N> inverseLimit_[kTileVectors]; ///< 1/depth from where on float knows a hit to be in range
+    Word<N> found_[kTileVectors];        ///< triangles, for unsettled lanes
+    uint32_t unsettled_[kTileVectors] = {};
+    float farthest_[kTileVectors];
+    Lazy<Precision<N>> exact_[kTileVectors];
+};
+
+} // namespace smart::SMART_ISA
