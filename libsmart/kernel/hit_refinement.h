@@ -129,7 +129,10 @@ void refineHits(const ModelView& scene, const float* const org[3], const float* 
     const auto put = [&](const V& value, const V& low, const V& high, float* to) {
         V inside = hn::IfThenElse(hn::Gt(value, high), high, value);
         inside = hn::IfThenElse(hn::Ge(value, low), inside, low);
-        hn::StoreU(hn::DemoteTo(narrow, inside), narrow, to);
+        // Not DemoteTo: beyond the largest float it gives that or infinity, by instruction set.
+        alignas(64) double values[hn::MaxLanes(real)];
+        hn::Store(inside, real, values);
+        for (std::size_t i = 0; i < hn::Lanes(real); ++i) to[i] = float(values[i]);
     };
     const V zero = hn::Zero(real), one = hn::Set(real, 1.0);
     for (int i = 0; i < N; i += int(hn::Lanes(real))) {

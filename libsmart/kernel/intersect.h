@@ -209,7 +209,9 @@ private:
             if (candidate < query.tNear[i] || candidate > stored) continue;
             if (candidate == stored && !query.precedes(number, i)) continue;
             query.keepTriangle(Mask<N>::fromBits(bit), number);
-            limits[i] = float(candidate);
+            // The float distance of a triangle, whatever it was compared with: what other instances
+            // are compared with must not depend on the order of the tests.
+            limits[i] = distances[i];
         }
         t = Real<N>::load(distances);
         best = Real<N>::load(limits);

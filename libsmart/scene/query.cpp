@@ -86,6 +86,18 @@ private:
     const RayStream& stream_;
 };
 
+Hit laneHit(const HitPacket& hits, std::size_t lane) {
+    Hit hit;
+    hit.triangle = hits.triangle[lane];
+    if (hit.triangle == kNoHit) return hit;
+    hit.t = hits.t[lane];
+    hit.u = hits.u[lane];
+    hit.v = hits.v[lane];
+    hit.levels = hits.levels[lane];
+    for (uint32_t level = 0; level < hit.levels; ++level) hit.path[level] = hits.path[level][lane];
+    return hit;
+}
+
 /// Writes what the application wants to know of each ray, and computes no more.
 class HitWriter {
 public:
@@ -96,6 +108,11 @@ public:
           wantsNormal_(stream.normal[0] || stream.normal[1] || stream.normal[2] || stream.flags),
           wantsChain_(wantsNormal_ || stream.object) {}
 
+    /// Rays first.. of a packet, as many lanes of it as are given.
+    void write(std::size_t first, std::size_t lanes, const HitPacket& hits) const {
+        if (!wantsChain_ && lanes == kLanes && stream_.stride == 1) return writePlain(first, hits);
+        for (std::size_t lane = 0; lane < lanes; ++lane) write(first + lane, laneHit(hits, lane));
+    }
     void write(std::size_t i, const Hit& hit) const {
         if (hit.triangle == kNoHit) return writeMiss(i);
         put(stream_.t, i, hit.t);
@@ -118,6 +135,23 @@ private:
     void put(T* values, std::size_t i, T value) const {
         if (values) values[std::ptrdiff_t(i) * stream_.stride] = value;
     }
+    /// Sixteen rays whose values lie one behind the other: what the kernels found is all there is.
+    void writePlain(std::size_t first, const HitPacket& hits) const {
+        const auto fill = [&](auto* values, const auto* found, auto otherwise) {
+            if (!values) return;
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                values[first + lane] =
+                    hits.triangle[lane] == kNoHit ? otherwise(first + lane) : found[lane];
+            }
+        };
+        const auto zero = [](std::size_t) { return 0.0f; };
+        const auto none = [](std::size_t) { return kNoId; };
+        fill(stream_.t, hits.t, [this](std::size_t i) { return rays_.tFar(i); });
+        fill(stream_.u, hits.u, zero);
+        fill(stream_.v, hits.v, zero);
+        fill(stream_.primitive, hits.triangle, none);
+        fill(stream_.instance, hits.path[0], none);
+    }
     void writeMiss(std::size_t i) const {
         put(stream_.t, i, rays_.tFar(i));
         put(stream_.u, i, 0.0f);
@@ -134,18 +168,6 @@ private:
     const HitStream& stream_;
     const bool wantsNormal_, wantsChain_;
 };
-
-Hit laneHit(const HitPacket& hits, std::size_t lane) {
-    Hit hit;
-    hit.triangle = hits.triangle[lane];
-    if (hit.triangle == kNoHit) return hit;
-    hit.t = hits.t[lane];
-    hit.u = hits.u[lane];
-    hit.v = hits.v[lane];
-    hit.levels = hits.levels[lane];
-    for (uint32_t level = 0; level < hit.levels; ++level) hit.path[level] = hits.path[level][lane];
-    return hit;
-}
 
 } // namespace
 
@@ -176,8 +198,9 @@ void intersect(const Scene& scene, const RayStream& rays, const HitStream& hits,
             intersectTile(scene.view(), packets, used, found);
         else
             for (uint32_t p = 0; p < used; ++p) intersect16(scene.view(), packets[p], found[p]);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            writer.write(first + lane, laneHit(found[lane / kLanes], lane % kLanes));
+        for (uint32_t p = 0; p < used; ++p) {
+            const std::size_t done = p * kLanes;
+            writer.write(first + done, std::min(kLanes, lanes - done), found[p]);
         }
     }
 }
