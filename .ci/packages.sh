@@ -7,6 +7,7 @@ packages=(
     libstb-dev libpng-dev libopenexr-dev libcli11-dev # images and command lines, in the programs
     libglfw3-dev libgl-dev                            # the viewer
     libgtest-dev libgmp-dev                           # the tests; exact arithmetic as the truth
+    python3-cffi python3-numpy python3-pytest         # the Python module and its tests
     libembree-dev                                     # the benchmark's yardstick
     libosmesa6-dev libglu1-mesa-dev                   # OpenGL itself, to compare the ports with
 )

@@ -1,19 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* fog: a row of red spheres in the three kinds of fog, one after the other. */
+/* fog: rows of red spheres in the three kinds of fog, which grows denser. */
 #include <GL/glut.h>
 
-static const GLint modes[] = {GL_EXP, GL_EXP2, GL_LINEAR};
-static int mode;
+static GLfloat density = 0.35f;
 
-static void display(void) {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glFogi(GL_FOG_MODE, modes[mode]);
+static void row(GLint mode, GLfloat y) {
+    glFogi(GL_FOG_MODE, mode);
     for (int i = 0; i < 5; ++i) {
         glPushMatrix();
-        glTranslatef(-2.2f + 1.05f * (GLfloat)i, -0.8f + 0.45f * (GLfloat)i, -2.0f - (GLfloat)i);
+        glTranslatef(-2.2f + 1.05f * (GLfloat)i, y + 0.15f * (GLfloat)i, -2.0f - (GLfloat)i);
         glutSolidSphere(0.5, 24, 18);
         glPopMatrix();
     }
+}
+
+static void display(void) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glFogf(GL_FOG_DENSITY, density);
+    row(GL_EXP, 1.2f);
+    row(GL_EXP2, -0.3f);
+    row(GL_LINEAR, -1.8f);
     glFlush();
 }
 
@@ -29,7 +35,7 @@ static void reshape(int width, int height) {
 }
 
 static void idle(void) {
-    mode = glutGet(GLUT_ELAPSED_TIME) / 40 % 3;
+    density = 0.35f + 0.0002f * (GLfloat)glutGet(GLUT_ELAPSED_TIME);
     glutPostRedisplay();
 }
 
@@ -49,7 +55,6 @@ static void init(void) {
     glMaterialf(GL_FRONT, GL_SHININESS, 60.0f);
     glEnable(GL_FOG);
     glFogfv(GL_FOG_COLOR, color);
-    glFogf(GL_FOG_DENSITY, 0.35f);
     glHint(GL_FOG_HINT, GL_NICEST);
     glFogf(GL_FOG_START, 1.0f);
     glFogf(GL_FOG_END, 7.0f);

@@ -15,7 +15,7 @@ struct Frame {
 
 // What OpenGL allows for one frame, as far as OSMesa shows it: the picture, and others that OSMesa
 // gives when moved by a small part of a pixel (OpenGL asks for a sixteenth at most) or when it
-// splits quads along the other diagonal.
+// splits quads along the other diagonal and rounds nothing to 8 bits in between.
 struct Reference {
     Frame frame;
     std::vector<Frame> others;

@@ -76,27 +76,31 @@ Planes opponentPlanes(const Picture& picture) {
     return planes;
 }
 
+// sum += weight * row, element by element.
+void addScaled(float* sum, const float* row, float weight, int count) {
+    for (int i = 0; i < count; ++i) sum[i] += weight * row[i];
+}
+
 // The plane under kernelX along rows and kernelY along columns; edges repeat.
 Plane convolve(const Plane& plane, int width, int height, const Plane& kernelX,
                const Plane& kernelY) {
     const int radius = int(kernelX.size() / 2);
-    Plane rows(plane.size()), result(plane.size());
+    const auto rowOf = [&](auto& of, int y) {
+        return of.data() + std::size_t(std::clamp(y, 0, height - 1)) * std::size_t(width);
+    };
+    Plane rows(plane.size(), 0.0f), result(plane.size(), 0.0f);
+    Plane padded(std::size_t(width + 2 * radius));
+    for (int y = 0; y < height; ++y) {
+        const float* row = rowOf(plane, y);
+        for (int x = -radius; x < width + radius; ++x)
+            padded[std::size_t(x + radius)] = row[std::clamp(x, 0, width - 1)];
+        for (int k = 0; k <= 2 * radius; ++k)
+            addScaled(rowOf(rows, y), padded.data() + k, kernelX[std::size_t(k)], width);
+    }
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            float sum = 0;
-            for (int k = -radius; k <= radius; ++k)
-                sum += kernelX[std::size_t(k + radius)] *
-                       plane[std::size_t(y * width + std::clamp(x + k, 0, width - 1))];
-            rows[std::size_t(y * width + x)] = sum;
-        }
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            float sum = 0;
-            for (int k = -radius; k <= radius; ++k)
-                sum += kernelY[std::size_t(k + radius)] *
-                       rows[std::size_t(std::clamp(y + k, 0, height - 1) * width + x)];
-            result[std::size_t(y * width + x)] = sum;
-        }
+        for (int k = -radius; k <= radius; ++k)
+            addScaled(rowOf(result, y), rowOf(rows, y + k), kernelY[std::size_t(k + radius)],
+                      width);
     return result;
 }
 

@@ -30,7 +30,7 @@ static struct {
     int width, height, clock;
     PixelShift shift;
     OSMesaContext context;
-    GLubyte* pixels;
+    void* pixels; /* RGBA, bytes or floats */
 } driver = {.width = 300, .height = 300};
 
 static void fail(const char* text) {
@@ -89,16 +89,26 @@ void glutInitWindowPosition(int x, int y) {
     (void)y;
 }
 
+/* With floats OpenGL would leave fragments as they are. */
+static void clampFragments(void) {
+    typedef void(GLAPIENTRY * ClampColor)(GLenum, GLenum);
+    const ClampColor clampColor = (ClampColor)OSMesaGetProcAddress("glClampColor");
+    if (clampColor == NULL) fail("this OSMesa can not clamp colours");
+    clampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
+}
+
 int glutCreateWindow(const char* title) {
     (void)title;
     if (driver.context != NULL) fail("one window only");
     driver.context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
-    driver.pixels = calloc((size_t)driver.width * (size_t)driver.height, 4);
+    driver.pixels = calloc((size_t)driver.width * (size_t)driver.height, 4 * sizeof(GLfloat));
     if (driver.context == NULL || driver.pixels == NULL ||
-        !OSMesaMakeCurrent(driver.context, driver.pixels, GL_UNSIGNED_BYTE, driver.width,
+        !OSMesaMakeCurrent(driver.context, driver.pixels,
+                           driver.options.floatBuffer ? GL_FLOAT : GL_UNSIGNED_BYTE, driver.width,
                            driver.height))
         fail("no context");
     glShadeModel(GL_SMOOTH);
+    if (driver.options.floatBuffer) clampFragments();
     return 1;
 }
 
@@ -182,15 +192,31 @@ static void callTimers(int now) {
     driver.clock = now;
 }
 
+static GLubyte byteOf(GLfloat value) {
+    return (GLubyte)(255.0f * (value > 0.0f ? (value < 1.0f ? value : 1.0f) : 0.0f) + 0.5f);
+}
+
+/* The picture as opaque bytes, row 0 at the bottom. */
+static GLubyte* opaquePicture(size_t count) {
+    GLubyte* picture = malloc(count * 4);
+    if (picture == NULL) fail("out of memory");
+    for (size_t i = 0; i < 4 * count; ++i) {
+        if (i % 4 == 3)
+            picture[i] = 255;
+        else if (driver.options.floatBuffer)
+            picture[i] = byteOf(((const GLfloat*)driver.pixels)[i]);
+        else
+            picture[i] = ((const GLubyte*)driver.pixels)[i];
+    }
+    return picture;
+}
+
 static void deliver(int frame, int variant) {
     const DriverOptions* options = &driver.options;
     const size_t count = (size_t)driver.width * (size_t)driver.height;
     char path[4352];
     if (options->output != NULL) {
-        GLubyte* opaque = malloc(count * 4);
-        if (opaque == NULL) fail("out of memory");
-        memcpy(opaque, driver.pixels, count * 4);
-        for (size_t i = 0; i < count; ++i) opaque[4 * i + 3] = 255;
+        GLubyte* opaque = opaquePicture(count);
         if (!frameFile(path, sizeof path, options->output, frame, variant) ||
             !writePng(path, opaque, (unsigned)driver.width, (unsigned)driver.height))
             fail("a frame could not be written");

@@ -8,6 +8,7 @@
  *                         (from 1) get .vK before the extension; may be repeated
  *   --rt-split first      quads split along the first and third vertex where GL_SMOOTH is set,
  *                         instead of the second and fourth
+ *   --rt-buffer float     a frame buffer of floats, in which blending rounds nothing to 8 bits
  *   --rt-report FILE      JSON: renderer, version, clear colour, milliseconds of each frame
  *   -geometry WxH         the size of the window, as GLUT has it
  *
@@ -29,7 +30,7 @@ typedef struct {
     const char *output, *depth, *report;
     PixelShift shifts[kMaxVariants + 1]; /* shifts[0] is none */
     int variants;                        /* how many of shifts besides the first */
-    int splitFirst;
+    int splitFirst, floatBuffer;
     int width, height; /* 0: not given */
 } DriverOptions;
 

@@ -56,6 +56,10 @@ static int takeOption(DriverOptions* options, const char* option, const char* va
         if (strcmp(value, "first") && strcmp(value, "last"))
             refuse(option, "first or last expected");
         options->splitFirst = !strcmp(value, "first");
+    } else if (!strcmp(option, "--rt-buffer")) {
+        if (strcmp(value, "float") && strcmp(value, "bytes"))
+            refuse(option, "float or bytes expected");
+        options->floatBuffer = !strcmp(value, "float");
     } else if (!strcmp(option, "-geometry")) {
         takeGeometry(options, value);
     } else {

@@ -101,7 +101,7 @@ void PortRun::renderReference() {
     runOrThrow(arguments, environment, settings_.seconds);
     runOrThrow({program, "-geometry", size_.text(), "--rt-offscreen", std::to_string(frames_),
                 "--rt-output", pattern("split", ".png"), "--rt-depth", pattern("split", ".pfm"),
-                "--rt-split", "first"},
+                "--rt-split", "first", "--rt-buffer", "float"},
                environment, settings_.seconds);
     const nlohmann::json told = nlohmann::json::parse(std::ifstream(report));
     for (std::size_t k = 0; k < 3; ++k)
