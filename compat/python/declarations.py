@@ -4,7 +4,7 @@
 
 usage: declarations.py INCLUDE OUTPUT
 
-INCLUDE is the folder that holds openrt/rt.h. The output has two values: CDEF, what cffi takes as
+INCLUDE is the folder that holds openrt/rt.h and openrt/rtu.h. The output has two values: CDEF, what cffi takes as
 declarations, and TOKENS, a dictionary of the RT_ constants.
 """
 import pathlib
@@ -59,7 +59,9 @@ def split(text):
 
 
 def generate(include):
-    text = included("openrt/rt.h", pathlib.Path(include), set())
+    seen = set()
+    text = "\n".join(included(header, pathlib.Path(include), seen)
+                     for header in ("openrt/rt.h", "openrt/rtu.h"))
     text = re.sub(r"\bargv\s*\[\s*\]", "*argv", text)
     cdef = declarations_of(text)
     tokens = "".join(f"    {name!r}: {value:#x},\n" for name, value in tokens_of(text).items())

@@ -110,6 +110,7 @@ public:
                 inverse_[0][v] = inverse_[1][v] = Real<N>(0.0f);
         span(lanes);
         stray(tile, lanes);
+        widest_ = maxAbs * 0x1p-8f;
         scale_ = largerOf(maxAbs, reach_);
         for (int k = 0; k < 3; ++k) scale_ = largerOf(scale_, __builtin_fabsf(apex_[k]));
         pad_ = scale_ * 0x1p-20f + stray_;
@@ -119,12 +120,13 @@ public:
         }
     }
 
-    /// Whether the rays are near enough together, and to their apex, to gain by being one beam,
-    /// all numbers so far from over- and underflow that its bounds hold, and no ray goes beyond its apex.
+    /// Whether the rays are near enough together, and to their apex, to gain by being one beam, the
+    /// apex is so near to what they meet that padding leaves boxes apart, all numbers are so far
+    /// from over- and underflow that its bounds hold, and no ray goes beyond its apex.
     bool isNarrow() const {
         return half_[0] <= 0.15f && half_[1] <= 0.15f && scale_ <= 0x1p38f &&
                scale_ >= 0x1p-40f &&
-               stray_ <= scale_ * 0x1p-14f && overshoot_ <= pad_;
+               stray_ <= scale_ * 0x1p-14f && pad_ <= widest_ && overshoot_ <= pad_;
     }
 
     int axis(int k) const { return axis_[k]; }    ///< of the model: x, y, z
@@ -256,7 +258,7 @@ private:
     float centre_[2], half_[2], packetHalf_[2], steepest_[2], flattest_[2];
     float packetLow_[2][kTileVectors], packetHigh_[2][kTileVectors];
     float packetCentre_[2][kTileVectors];
-    float stray_ = 0, reach_ = 0, overshoot_ = 0, scale_, pad_;
+    float stray_ = 0, reach_ = 0, overshoot_ = 0, scale_, pad_, widest_;
     Real<N> slope_[2][kTileVectors], inverse_[2][kTileVectors];
     Real<N> depthScale_[kTileVectors], originDepth_[kTileVectors];
 };

@@ -29,7 +29,7 @@ def brute_force(corners, origins, directions):
 @pytest.mark.parametrize("coherent", [False, True])
 def test_soup_against_brute_force(coherent):
     random = numpy.random.default_rng(7)
-    corners = (random.uniform(-1, 1, (300, 1, 3)) + random.uniform(-0.2, 0.2, (300, 3, 3)))
+    corners = (random.uniform(-1, 1, (300, 1, 3)) + random.uniform(-0.4, 0.4, (300, 3, 3)))
     corners = corners.astype(numpy.float32)
     origins = random.uniform(-2, 2, (1000, 3)).astype(numpy.float32)
     directions = random.normal(size=(1000, 3)).astype(numpy.float32)
