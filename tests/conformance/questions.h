@@ -42,16 +42,17 @@ static const char* errorName(void) {
 
 /* What the library may answer instead of OSMesa's answer, where OpenGL leaves that open. */
 static const char* alsoAllowed;
+#ifdef OPENRT
+enum { kTellsAlternatives = 0 };
+#else
+enum { kTellsAlternatives = 1 };
+#endif
 
 static void tellError(void) {
-    const char* name = errorName();
-#ifndef OPENRT
-    if (alsoAllowed != NULL) {
-        printf("error %s|%s\n", name, alsoAllowed);
-        return;
-    }
-#endif
-    printf("error %s\n", name);
+    if (kTellsAlternatives && alsoAllowed != NULL)
+        printf("error %s|%s\n", errorName(), alsoAllowed);
+    else
+        printf("error %s\n", errorName());
 }
 
 static void displayQuestions(void) {
