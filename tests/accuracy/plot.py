@@ -178,7 +178,7 @@ def pareto(report, scene, out):
             points.append((1e3 / nanoseconds, per_million(errors, "miss", "through"), kind, form))
     picture = Picture(f"Speed against lost rays: {scene}",
                       f"right and low is better; primary rays, one thread, {report['isa']}; "
-                      "filled: packets, hollow: single rays")
+                      "filled: packets and tiles, hollow: single rays")
     step = nice_step(max(p[0] for p in points) * 1.05)
     top = step * math.ceil(max(p[0] for p in points) * 1.05 / step)
     scale = Logarithm(max(1, min([p[1] for p in points if p[1] > 0] or [1])),

@@ -112,12 +112,12 @@ SceneSpeed measureScene(const SpeedOptions& options) {
                                                          Precision(mode), options.buildThreads);
         if (mode == int(Precision::Watertight)) watertight = scene;
         if (mode == int(Precision::Precise)) precise = scene;
-        auto made = bench::openrtEngines(scene, Precision(mode), false);
-        for (std::size_t form = 0; form < 2; ++form) { // packets and single rays
-            const std::string name =
-                std::string("openrt-") + modeName(mode) + (form == 0 ? " packet" : " single");
-            engines.push_back(std::make_unique<Named>(std::move(made[form]), name));
-        }
+        if (Precision(mode) != Precision::Precise) scene->prepareTiles();
+        for (bench::EnginePtr& engine : bench::openrtEngines(scene, Precision(mode), false))
+            for (const char* form : {" packet", " tile", " single"})
+                if (engine && engine->name().starts_with(std::string("openrt") + form))
+                    engines.push_back(std::make_unique<Named>(
+                        std::move(engine), std::string("openrt-") + modeName(mode) + form));
     }
 #ifdef OPENRT_BENCH_EMBREE
     for (const bool robust : {false, true}) {
