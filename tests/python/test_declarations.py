@@ -6,7 +6,7 @@ import re
 import subprocess
 
 import openrt
-from openrt.library import TOKENS, _library, ffi
+from openrt.binding import TOKENS, _library, ffi
 
 INCLUDE = pathlib.Path(os.environ["OPENRT_INCLUDE"])
 

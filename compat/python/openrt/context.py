@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Start, end and facts of the library."""
-from .library import _library, ffi, listen, raw
+from .binding import _library, ffi, listen, raw
 
 
 def init(threads=0, isa=None):

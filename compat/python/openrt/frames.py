@@ -2,7 +2,7 @@
 """Pictures as numpy arrays, without a copy."""
 import numpy
 
-from .library import raw
+from .binding import raw
 
 _FORMATS = {  # name: (token, element, components)
     "rgb8": ("RT_RGB_8", numpy.uint8, 3),

@@ -2,7 +2,7 @@
 """Objects from arrays, instances, the camera."""
 import numpy
 
-from .library import raw
+from .binding import raw
 
 
 def _rows(values, columns, count, name):

@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy
 
-from .library import ffi, raw
+from .binding import ffi, raw
 
 MISS = 0xFFFFFFFF  #: id of a ray that hits nothing
 

@@ -2,7 +2,7 @@
 """Shaders by name, their parameters as attributes."""
 import numpy
 
-from .library import Error, raw
+from .binding import Error, raw
 
 
 class Shader:
