@@ -111,7 +111,7 @@ std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
 }
 
 std::optional<StateValue> statistic(Context& context, RTenum name) {
-    if (name < RT_STAT_TRIANGLES || name > RT_STAT_BUILD_MICROSECONDS) return std::nullopt;
+    if (name < RT_STAT_TRIANGLES || name > RT_STAT_IDLE_MICROSECONDS) return std::nullopt;
     const ModelCompiler& compiler = context.recorder().compiler();
     const RenderStatistics& frame = context.frames().frameStatistics();
     switch (name) {
@@ -125,6 +125,8 @@ std::optional<StateValue> statistic(Context& context, RTenum name) {
     case RT_STAT_SHADOW_RAYS: return number(double(frame.shadowRays));
     case RT_STAT_SECONDARY_RAYS: return number(double(frame.secondaryRays));
     case RT_STAT_BAD_PIXELS: return number(double(frame.badPixels));
+    case RT_STAT_BUSY_MICROSECONDS: return number(std::floor(double(frame.busyNanoseconds) * 1e-3));
+    case RT_STAT_IDLE_MICROSECONDS: return number(std::floor(double(frame.idleNanoseconds) * 1e-3));
     default: break;
     }
     const SceneStatistics& scene = context.frames().sceneStatistics();

@@ -131,5 +131,9 @@
 #define RT_STAT_SECONDARY_RAYS 0x7F10D     /* rays spawned by shaders in the last frame */
 #define RT_STAT_DROPPED_INSTANCES 0x7F10E  /* instances dropped for a matrix without an inverse */
 #define RT_STAT_BUILD_MICROSECONDS 0x7F10F /* building trees since the context was made */
+/* Of the last frame waited for, summed over the threads that rendered it: at work on its tiles; and
+ * from the end of one tile to the start of the next, waiting included. */
+#define RT_STAT_BUSY_MICROSECONDS 0x7F118
+#define RT_STAT_IDLE_MICROSECONDS 0x7F119
 
 #endif

@@ -217,7 +217,8 @@ RTAPI RTboolean RTAPIENTRY rtIsEnabled(RTenum cap);
  *      RT_STAT_TRIANGLES, _INSTANCES, _NODES, _LEAVES, _REFERENCES, _DROPPED_TRIANGLES,
  *      _DROPPED_INSTANCES (of the scene of the last frame started), _BYTES, _PEAK_BYTES,
  *      _MODELS_BUILT, _BUILD_MICROSECONDS (of this context), _RAYS, _PRIMARY_RAYS, _SHADOW_RAYS,
- *      _SECONDARY_RAYS, _BAD_PIXELS (of the last frame waited for)
+ *      _SECONDARY_RAYS, _BAD_PIXELS, _BUSY_MICROSECONDS, _IDLE_MICROSECONDS (of the last frame
+ *      waited for)
  * Errors:  RT_INVALID_ENUM       no such value
  *          RT_INVALID_OPERATION  a value of OpenGL's that is not part of this release
  *          RT_INVALID_VALUE      params NULL
