@@ -2,14 +2,16 @@
 # What `cmake --install` puts where, and the CMake and pkg-config files for programs that use it.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS OpenRT EXPORT OpenRTTargets
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Components are named like the Debian packages that they become.
+install(TARGETS OpenRT EXPORT OpenRTTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    COMPONENT libopenrt0 NAMELINK_COMPONENT libopenrt-dev)
 if(TARGET rtut)
-    install(TARGETS rtut EXPORT OpenRTTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS rtut EXPORT OpenRTTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        COMPONENT librtut0 NAMELINK_COMPONENT libopenrt-dev)
     install(FILES ${CMAKE_CURRENT_LIST_DIR}/rtut/fonts/NOTICE
-        DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME NOTICE.fonts)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/librtut0 RENAME NOTICE.fonts COMPONENT librtut0)
 endif()
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libopenrt-dev)
 install(TARGETS smart EXPORT OpenRTSmartTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/libsmart DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
@@ -43,3 +45,8 @@ foreach(package ${packages})
     install(FILES ${PROJECT_BINARY_DIR}/${package}.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
+    COMPONENT openrt-doc)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT openrt-doc)

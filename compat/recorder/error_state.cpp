@@ -3,9 +3,12 @@
 
 #include <cstring>
 
+#include "compat/recorder/error_log.h"
+
 namespace smart::compat {
 
 void ErrorState::raise(ErrorCode code, const char* function, const char* text) noexcept {
+    logError(code, function, text);
     if (!first_) {
         first_ = code;
         std::strncpy(text_, text, kTextSize - 1);

@@ -17,7 +17,9 @@ extern "C" {
  *   --rt-precision NAME   fast, watertight or precise
  *   --rt-samples N        as rtSamples
  *   --rt-offscreen N  --rt-output PATTERN  --rt-size WxH   for programs with rtut windows
- * A bad value prints one line on stderr and is ignored.
+ * A bad value prints one line on stderr and is ignored. The environment variable OPENRT_LOG, a
+ * file's name or `stderr`, gets a line for every error that any context records; set-uid programs
+ * ignore all of these variables.
  * Threads: any. Since: 0.1 */
 RTAPI void RTAPIENTRY rtInit(int *argcp, char *argv[]);
 
