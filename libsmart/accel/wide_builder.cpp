@@ -12,12 +12,6 @@ constexpr int kBins = 32;
 constexpr uint32_t kSmallest = 4; ///< primitives that are never split
 constexpr int kSplitDepth = kWideMaxDepth - 33; ///< below, halves: 2^32 primitives in 32 levels
 
-// What a tile of rays spends, in clock cycles, once it meets a box.
-constexpr float kChildCost = 30.0f; ///< the box against its rays
-constexpr float kNodeCost = 70.0f;  ///< sixteen boxes against the tile
-constexpr float kLeafCost = 170.0f; ///< sixteen triangles against the tile
-constexpr float kPrimitiveCost = 12.0f;
-
 float halfArea(const Aabb& box) {
     const float x = box.hi[0] - box.lo[0], y = box.hi[1] - box.lo[1], z = box.hi[2] - box.lo[2];
     return x * y + y * z + z * x;
@@ -46,7 +40,7 @@ struct Split {
 
 class Builder {
 public:
-    explicit Builder(const std::vector<Aabb>& boxes) : boxes_(boxes) {}
+    Builder(std::span<const Aabb> boxes, const WideCosts& costs) : boxes_(boxes), costs_(costs) {}
 
     WideTree build() {
         WideTree tree;
@@ -120,7 +114,7 @@ private:
         }
         node.ownShare = node.share[kWideChildren];
         const float area = share(node.box);
-        costs[1] = area * (kChildCost + kNodeCost) + costs[kWideChildren];
+        costs[1] = area * (costs_.child + costs_.node) + costs[kWideChildren];
         if (node.count <= kWideLeafSize && !(costs[1] < leafCost(node.box, node.count))) {
             costs[1] = leafCost(node.box, node.count);
             node.leaf = true;
@@ -136,7 +130,7 @@ private:
     /// Of the rays that meet all, those that meet a box.
     float share(const Aabb& box) const { return float(box.halfArea() / wholeArea_); }
     float leafCost(const Aabb& box, uint32_t count) const {
-        return share(box) * (kChildCost + kLeafCost + kPrimitiveCost * float(count));
+        return share(box) * (costs_.child + costs_.leaf + costs_.primitive * float(count));
     }
 
     static float centre(const Aabb& box, int axis) {
@@ -244,7 +238,8 @@ private:
         collect(binary_[binary].left + 1, slots - left, children, count);
     }
 
-    const std::vector<Aabb>& boxes_;
+    const std::span<const Aabb> boxes_;
+    const WideCosts costs_;
     uint32_t* prims_ = nullptr;
     std::vector<Binary> binary_;
     double wholeArea_ = 1;
@@ -252,6 +247,12 @@ private:
 
 } // namespace
 
-WideTree buildWideTree(const std::vector<Aabb>& boxes) { return Builder(boxes).build(); }
+WideTree buildWideTree(std::span<const Aabb> boxes, unsigned, const WideCosts& costs) {
+    return Builder(boxes, costs).build();
+}
+
+WideTree buildWideTreeFast(std::span<const Aabb> boxes, unsigned threads, const WideCosts& costs) {
+    return buildWideTree(boxes, threads, costs);
+}
 
 } // namespace smart

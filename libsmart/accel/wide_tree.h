@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "libsmart/accel/wide_node.h"
@@ -22,12 +23,30 @@ struct WideTree {
     }
 };
 
+/// What rays spend, in clock cycles, once they meet a box.
+struct WideCosts {
+    float child = 30.0f; ///< the box against the rays one by one
+    float node = 70.0f;  ///< sixteen boxes against a tile or a ray
+    float leaf = 170.0f; ///< sixteen triangles against them
+    float primitive = 12.0f;
+};
+inline constexpr WideCosts kTriangleCosts{};
+/// Entering an instance is expensive: leaves hold one.
+inline constexpr WideCosts kInstanceCosts{30.0f, 70.0f, 0.0f, 600.0f};
+
 /// Builds a binary tree by the surface area heuristic over 32 bins an axis (Wald, "On fast
 /// construction of SAH-based bounding volume hierarchies", 2007). Which of its subtrees become wide
 /// nodes, and which leaves, is found by dynamic programming over the slots of wide nodes, so that
 /// the expected cost is least (as Ylitie, Karras, Laine, "Efficient incoherent ray traversal on
-/// GPUs through compressed wide BVHs", 2017). An empty box leaves a primitive out. Throws
-/// std::bad_alloc.
-WideTree buildWideTree(const std::vector<Aabb>& boxes);
+/// GPUs through compressed wide BVHs", 2017). An empty box leaves a primitive out. The tree does not
+/// depend on `threads`, the number of threads that may build, the caller's included. Throws
+/// std::bad_alloc, and Error for more than 2^27 primitives.
+WideTree buildWideTree(std::span<const Aabb> boxes, unsigned threads = 1,
+                       const WideCosts& costs = kTriangleCosts);
+
+/// The same kind of tree in a time that grows linearly with the number of boxes, for geometry that
+/// is made anew for every frame.
+WideTree buildWideTreeFast(std::span<const Aabb> boxes, unsigned threads = 1,
+                           const WideCosts& costs = kTriangleCosts);
 
 } // namespace smart

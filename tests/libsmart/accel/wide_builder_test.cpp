@@ -99,7 +99,7 @@ TEST(WideBuilder, EveryPrimitiveIsInOneLeafInsideAllItsBoxes) {
 
 TEST(WideBuilder, NothingMakesAnEmptyTree) {
     EXPECT_TRUE(buildWideTree({}).nodes.empty());
-    EXPECT_TRUE(buildWideTree({Aabb(), Aabb()}).nodes.empty());
+    EXPECT_TRUE(buildWideTree(std::vector<Aabb>(2)).nodes.empty());
 }
 
 TEST(WideBuilder, EmptyBoxesAreLeftOut) {
