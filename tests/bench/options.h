@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Options that several subcommands share, so that they are called and checked alike.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "libsmart/kernel/kernels.h"
+#include "tests/bench/workload.h"
+
+namespace smart::bench {
+
+/// Where pictures are taken from.
+struct ViewOptions {
+    std::string cameras, name;
+    std::vector<double> camera, light;
+
+    void add(CLI::App& app);
+    View view() const;
+};
+
+unsigned processorCount();
+/// One, and `most` where that is more.
+std::vector<unsigned> threadCounts(unsigned most);
+
+void addScene(CLI::App& app, std::string& scene);
+void addSize(CLI::App& app, uint32_t& size);
+void addThreads(CLI::App& app, unsigned& threads);
+void addRepeat(CLI::App& app, unsigned& repeat);
+void addJson(CLI::App& app, std::string& file);
+void addIsa(CLI::App& app, std::string& isa);
+void addPrecision(CLI::App& app, std::string& precision);
+void addPeers(CLI::App& app, std::vector<std::string>& peers);
+
+/// Makes the kernels of that name the ones in use; "" keeps the machine's. Throws UsageError.
+void selectIsa(const std::string& isa);
+Precision precisionOf(const std::string& name);
+bool wantsEmbree(const std::vector<std::string>& peers);
+
+/// One line on the terminal that is written over, where a person watches.
+void showProgress(const std::string& text);
+
+/// "" writes nothing. Throws std::runtime_error.
+void writeJson(const std::string& file, const nlohmann::json& root);
+
+} // namespace smart::bench
