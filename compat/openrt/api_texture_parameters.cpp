@@ -55,7 +55,8 @@ void setParameter(Context& c, RTenum target, RTenum pname, double value, const g
     case RT_TEXTURE_BORDER_COLOR:
         if (!border)
             throwError(ErrorCode::InvalidEnum, "a colour is set by a call that takes an array");
-        for (int k = 0; k < 4; ++k) options.border[k] = numberIn(double((*border)[k]));
+        for (int k = 0; k < 4; ++k)
+            options.border[k] = std::clamp(numberIn(double((*border)[k])), 0.0f, 1.0f);
         break;
     case RT_TEXTURE_MIN_LOD: options.minLevel = numberIn(value); break;
     case RT_TEXTURE_MAX_LOD: options.maxLevel = numberIn(value); break;
@@ -122,7 +123,11 @@ StateValue parameterValue(const TextureParameters& p, RTenum pname) {
     case RT_TEXTURE_MAX_LEVEL: return one(options.lastLevel);
     case RT_GENERATE_MIPMAP: return one(p.generateMipmap);
     case RT_TEXTURE_RESIDENT: return one(RT_TRUE);
-    case RT_TEXTURE_PRIORITY: return one(double(p.priority));
+    case RT_TEXTURE_PRIORITY: {
+        StateValue priority = one(double(p.priority));
+        priority.normalised = true;
+        return priority;
+    }
     case RT_TEXTURE_WRAP_R: return one(tokenOf(p.wrapR));
     default: refuseParameter(pname);
     }

@@ -166,7 +166,13 @@ std::optional<StateValue> fixedLimit(Context& context, RTenum name) {
     case RT_RENDER_MODE: return number(RT_RENDER);
     case RT_NAME_STACK_DEPTH: return number(0);
     case RT_MAX_NAME_STACK_DEPTH: return number(64);
-    case RT_SUBPIXEL_BITS: return number(8);
+    case RT_SUBPIXEL_BITS:
+    case RT_RED_BITS:
+    case RT_GREEN_BITS:
+    case RT_BLUE_BITS:
+    case RT_ALPHA_BITS: return number(8);
+    case RT_MAX_ELEMENTS_VERTICES:
+    case RT_MAX_ELEMENTS_INDICES: return number(1 << 20);
     case RT_RGBA_MODE:
     case RT_DOUBLEBUFFER: return number(1);
     case RT_INDEX_MODE:

@@ -53,6 +53,7 @@ void Recorder::setRasterPosition(const glm::dvec4& position) {
     raster.window = {window.at, window.depth};
     raster.clipW = clip.clip.w;
     raster.lit = clip.lit;
+    if (!state.fog.fromCoordinate) raster.lit.fogDistance = float(std::fabs(vertex.position.z));
 }
 
 void Recorder::setWindowPosition(const glm::dvec3& position) {

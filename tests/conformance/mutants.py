@@ -29,7 +29,7 @@ CHILD_SECONDS = 30  # for one program; a mutant may never end
 
 def copy_tree(work):
     """The tracked files as they are now, renewed where they differ: only those are built again."""
-    tree = work / "tree"
+    tree = work / ROOT.name  # a compiler cache with relative paths knows it by this name
     names = subprocess.run(["git", "ls-files", "-z", "-c", "-o", "--exclude-standard"], cwd=ROOT,
                            check=True, capture_output=True).stdout.decode().split("\0")
     for name in filter(None, names):

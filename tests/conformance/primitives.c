@@ -7,7 +7,7 @@
 
 #include "tests/conformance/questions.h"
 
-enum { kMaxVertices = 9 };
+enum { kMaxVertices = 12 };
 
 typedef struct {
     double x, y;
@@ -17,22 +17,22 @@ typedef Point (*Layout)(int index, int count);
 
 /* Two rows of points, as strips have them. */
 static Point zigzag(int i, int count) {
-    const Point p = {2.3 + 6.1 * (i / 2) + 0.17 * (i % 3), i % 2 ? 25.4 - 0.9 * i : 5.6 + 0.7 * i};
+    const Point p = {2.3 + 4.9 * (i / 2) + 0.17 * (i % 3), i % 2 ? 25.4 - 0.6 * i : 5.6 + 0.5 * i};
     (void)count;
     return p;
 }
 
 /* Groups of four points around a cell each. */
 static Point cells(int i, int count) {
-    static const Point corners[4] = {{0.0, 0.0}, {12.3, 1.2}, {11.1, 20.7}, {1.4, 18.9}};
-    const Point p = {2.2 + 14.6 * (i / 4 % 2) + corners[i % 4].x, 4.7 + corners[i % 4].y + i / 8};
+    static const Point corners[4] = {{0.0, 0.0}, {8.3, 1.2}, {7.1, 20.7}, {1.4, 18.9}};
+    const Point p = {2.2 + 9.7 * (i / 4) + corners[i % 4].x, 4.7 + corners[i % 4].y};
     (void)count;
     return p;
 }
 
 static Point groupsOfThree(int i, int count) {
-    static const Point corners[3] = {{0.0, 0.0}, {8.3, 1.2}, {2.1, 20.7}};
-    const Point p = {2.2 + 9.6 * (i / 3) + corners[i % 3].x, 4.7 + corners[i % 3].y};
+    static const Point corners[3] = {{0.0, 0.0}, {6.6, 1.2}, {2.1, 20.7}};
+    const Point p = {2.2 + 7.3 * (i / 3) + corners[i % 3].x, 4.7 + corners[i % 3].y};
     (void)count;
     return p;
 }
@@ -45,13 +45,13 @@ static Point circle(int i, int count) {
 
 /* Pixel centres, joined by level and upright lines. */
 static Point stairs(int i, int count) {
-    const Point p = {3.5 + 6.0 * ((i + 1) / 2), 3.5 + 6.0 * (i / 2)};
+    const Point p = {3.5 + 4.0 * ((i + 1) / 2), 3.5 + 4.0 * (i / 2)};
     (void)count;
     return p;
 }
 
 static Point grid(int i, int count) {
-    const Point p = {5.5 + 10.0 * (i % 3), 5.5 + 10.0 * (i / 3)};
+    const Point p = {5.5 + 7.0 * (i % 4), 5.5 + 7.0 * (i / 4)};
     (void)count;
     return p;
 }

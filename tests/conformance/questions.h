@@ -48,7 +48,7 @@ enum { kTellsAlternatives = 0 };
 enum { kTellsAlternatives = 1 };
 #endif
 
-static void tellError(void) {
+static inline void tellError(void) {
     if (kTellsAlternatives && alsoAllowed != NULL)
         printf("error %s|%s\n", errorName(), alsoAllowed);
     else

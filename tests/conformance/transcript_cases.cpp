@@ -8,7 +8,8 @@
 namespace conformance {
 namespace {
 
-constexpr const char* kPrograms[] = {"errors", "primitives", "state"};
+constexpr const char* kPrograms[] = {"errors",  "feedback", "primitives",
+                                     "queries", "state",    "wrong_calls"};
 
 struct Answers {
     Transcript openGl, openRt;
