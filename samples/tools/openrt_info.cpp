@@ -175,10 +175,11 @@ int main(int argc, char* argv[]) {
                    "compares, bit for bit, what each class of these libraries gives for single "
                    "points and for packets")
         ->type_name("FILE");
+    app.set_version_flag("--version", "openrt-info " OPENRT_VERSION_STRING);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
         std::cerr << "openrt-info: " << error.what() << '\n';
         return kWrongCommandLine;
     }

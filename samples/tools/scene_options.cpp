@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "samples/tools/scene_options.h"
 
+#include <openrt/version.h>
+
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -132,11 +134,12 @@ int runProgram(CLI::App& app, int argc, char* argv[], int (*run)()) {
         std::cerr << app.get_name() << ": " << oneLine(text) << std::endl;
         return code;
     };
+    app.set_version_flag("--version", app.get_name() + " " OPENRT_VERSION_STRING);
     try {
         app.parse(argc, argv);
         return run();
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
         return fail(error.what(), kWrongCommandLine);
     } catch (const std::bad_alloc&) {
         return fail("there is not enough memory", kFailure);
