@@ -12,9 +12,12 @@
 namespace smart {
 
 /// A bounding volume hierarchy of wide nodes over numbered primitives. Root = nodes[0]; nodes is
-/// empty when there is no primitive. Each primitive is in one leaf.
+/// empty when there is no primitive. Each primitive is in one leaf, in several where it was cut.
+/// Nodes stand before those below them, and those below one are neighbours.
 struct WideTree {
     Aabb bounds;
+    uint32_t primitives = 0; ///< different ones
+    float cost = 0;          ///< expected cost of a ray that meets `bounds`, in the unit of WideCosts
     std::vector<WideNode> nodes;
     std::vector<uint32_t> prims; ///< primitive numbers, leaf by leaf
 
@@ -43,6 +46,13 @@ inline constexpr WideCosts kInstanceCosts{30.0f, 70.0f, 0.0f, 600.0f};
 /// std::bad_alloc, and Error for more than 2^27 primitives.
 WideTree buildWideTree(std::span<const Aabb> boxes, unsigned threads = 1,
                        const WideCosts& costs = kTriangleCosts);
+
+/// The same with spatial splits: triangles are cut in two where that is cheaper (Stich, Friedrich,
+/// Dietrich, "Spatial splits in bounding volume hierarchies", 2009), by which no more than a
+/// quarter of the references are added. A box in the tree encloses the part of each triangle that
+/// it is there for; that of the whole triangle may be larger. vertices: nine floats a box.
+WideTree buildWideTreeSpatial(std::span<const Aabb> boxes, const float* vertices,
+                              unsigned threads = 1, const WideCosts& costs = kTriangleCosts);
 
 /// The same kind of tree in a time that grows linearly with the number of boxes, for geometry that
 /// is made anew for every frame.
