@@ -46,8 +46,14 @@ RTAPI void RTAPIENTRY rtReplaceObject(RTuint object) {
         c.recorder().replaceObject(object);
     });
 }
-RTAPI void RTAPIENTRY rtUpdateObject(RTuint, RTuint, RTsizei, const RTfloat*) {
-    refused(__func__);
+RTAPI void RTAPIENTRY rtUpdateObject(RTuint object, RTuint first, RTsizei count,
+                                     const RTfloat* xyz) {
+    guarded(__func__, [&](Context& c) {
+        c.recorder().requireVertices(object, first, 0);
+        if (count < 0) throwError(ErrorCode::InvalidValue, "count is negative");
+        if (count > 0) requirePointer(xyz, "xyz");
+        c.recorder().updateObject(object, first, uint32_t(count), xyz);
+    });
 }
 RTAPI void RTAPIENTRY rtRemoveObject(RTuint object) {
     guarded(__func__, [&](Context& c) { c.recorder().removeObject(object); });

@@ -78,7 +78,7 @@ void GeometryRecording::reserveVertex(const Attributes& attributes, const BoundS
     makeRoom(builder_.triangles, kTriangles);
     if (!attributes.edgeFlag || !assembler_.lastCornerProvokes() || !shading.boundary.empty())
         makeRoomFrom(shading.boundary, triangles, kTriangles);
-    makeRoom(shading.corners, kTriangles);
+    shading.corners.makeRoom(kTriangles);
     makeRoom(shading.slots, kTriangles);
     if (!assembler_.lastCornerProvokes() || !shading.provoking.empty())
         makeRoomFrom(shading.provoking, triangles, kTriangles);
@@ -239,19 +239,15 @@ void GeometryRecording::addChild(Instance child, uint32_t childLevels,
 ModelPtr GeometryRecording::compile(const KdBuildOptions& options) {
     // What the model does not need is set aside, and comes back if the build fails.
     ShadingData& shading = builder_.shading;
-    std::vector<std::array<uint32_t, 3>> corners;
+    shading.vertices = vertexCount_;
     std::vector<uint32_t> slots;
-    const bool perVertex = shading.firstNormal != kNone || shading.firstTexCoord != kNone ||
-                           shading.firstColor != kNone || shading.firstMaterial != kNone ||
-                           !shading.vertexBlocks.empty();
-    if (!perVertex) corners.swap(shading.corners);
-    if (shading.shaders.size() <= 1) slots.swap(shading.slots);
+    const bool oneShader = shading.shaders.size() <= 1;
+    if (oneShader) slots.swap(shading.slots);
     ModelPtr model;
     try {
         model = std::move(builder_).build(options);
     } catch (...) {
-        if (!perVertex) corners.swap(shading.corners);
-        if (shading.shaders.size() <= 1) slots.swap(shading.slots);
+        if (oneShader) slots.swap(shading.slots);
         throw;
     }
     *this = GeometryRecording();

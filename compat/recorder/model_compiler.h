@@ -14,6 +14,8 @@ namespace smart::compat {
 class ModelCompiler {
 public:
     ModelPtr compile(GeometryRecording& recording);
+    /// As updateModel().
+    ModelPtr update(const Model& old, uint32_t first, uint32_t count, const float* positions);
     /// lastOfEqual: as Scene has it.
     ScenePtr makeScene(std::vector<Instance> instances, Precision precision,
                        bool lastOfEqual = false);
@@ -24,6 +26,9 @@ public:
     const MemoryCounter& memory() const { return *memory_; }
 
 private:
+    template <class Build>
+    ModelPtr counted(Build&& build);
+
     std::shared_ptr<MemoryCounter> memory_ = std::make_shared<MemoryCounter>();
     unsigned threads_ = 1;
     uint64_t modelsBuilt_ = 0;

@@ -97,6 +97,10 @@ public:
     uint32_t newObject(ObjectMode mode);
     void replaceObject(uint32_t id);
     void endObject();
+    /// New positions, x, y, z each, of the vertices first.. of an object in the order given.
+    void updateObject(uint32_t id, uint32_t first, uint32_t count, const float* positions);
+    /// Throws unless the object has these vertices.
+    void requireVertices(uint32_t id, uint32_t first, uint32_t count) const;
     void removeObject(uint32_t id);
     /// Places an object in the scene, or in the object under definition.
     void instantiate(uint32_t id);

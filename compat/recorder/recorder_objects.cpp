@@ -93,6 +93,21 @@ void Recorder::closeObject() noexcept {
     open_.reset();
 }
 
+void Recorder::requireVertices(uint32_t id, uint32_t first, uint32_t count) const {
+    requireOutsideObject();
+    const uint32_t vertices = object(id).model->shading.vertices;
+    if (first > vertices || count > vertices - first)
+        throw Error(ErrorCode::InvalidValue, "object " + std::to_string(id) + " has " +
+                                                 std::to_string(vertices) + " vertices only");
+}
+
+void Recorder::updateObject(uint32_t id, uint32_t first, uint32_t count, const float* positions) {
+    requireVertices(id, first, count);
+    if (count == 0) return;
+    ModelPtr& model = objects_.find(id)->second.model;
+    model = compiler_.update(*model, first, count, positions);
+}
+
 void Recorder::removeObject(uint32_t id) {
     requireOutsideObject();
     object(id);

@@ -87,8 +87,17 @@ RTAPI void RTAPIENTRY rtEndObject(void);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtReplaceObject(RTuint object);
 
-/* New positions for vertices of an object. Not part of this release: records
- * RT_INVALID_OPERATION.
+/* New positions, three floats each, for the vertices first .. first + count - 1 of an object, in the
+ * order in which rtVertex gave them; the triangles stay the same ones, with their numbers, normals
+ * and other attributes. Positions are in the object's coordinates: matrices that were in force in
+ * the object do not act on them. A position that is not finite drops the triangles of the vertex,
+ * and triangles without area are dropped, both until a later update makes them whole. The memory
+ * may be used again at once. count 0 does nothing.
+ * The object is made anew beside the old one, which frames in flight, instances already given and
+ * objects that nest it keep; time is proportional to the whole object, whatever the count. If
+ * memory runs out the object stays as it was. Not in an object.
+ * Errors:  RT_INVALID_VALUE  unknown object; count negative; vertices that the object does not
+ *                            have; xyz NULL with count above 0
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtUpdateObject(RTuint object, RTuint first, RTsizei count,
                                      const RTfloat *xyz);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/geometry/model.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "libsmart/accel/triangle_clip.h"
 #include "libsmart/base/fp_environment.h"
+#include "libsmart/geometry/degenerate.h"
 #include "libsmart/geometry/kd_view.h"
 
 namespace smart {
@@ -49,14 +53,57 @@ TriangleRecord makeRecord(const Triangle& triangle) {
     return record;
 }
 
+/// The triangles of a model as the tree's builder sees them.
+class TrianglePrimitives final : public KdPrimitives {
+public:
+    explicit TrianglePrimitives(const std::vector<Triangle>& triangles)
+        : triangles_(triangles), dropped_(triangles.size()) {
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            dropped_[i] = !isFinite(triangles[i]) || isDegenerate(triangles[i]);
+            droppedCount_ += dropped_[i];
+        }
+    }
+    uint32_t droppedCount() const { return droppedCount_; }
+
+    uint32_t count() const override { return uint32_t(triangles_.size()); }
+    Aabb bounds(uint32_t prim) const override {
+        Aabb box;
+        if (dropped_[prim]) return box;
+        const Triangle& triangle = triangles_[prim];
+        box.add(triangle.v0);
+        box.add(triangle.v1);
+        box.add(triangle.v2);
+        return box;
+    }
+    Aabb clipped(uint32_t prim, const Aabb& cell) const override {
+        const Triangle& triangle = triangles_[prim];
+        return clipTriangle(triangle.v0, triangle.v1, triangle.v2, cell);
+    }
+
+private:
+    const std::vector<Triangle>& triangles_;
+    std::vector<uint8_t> dropped_;
+    uint32_t droppedCount_ = 0;
+};
+
+template <class... Vectors>
+void shrinkAll(Vectors&... vectors) {
+    (vectors.shrink_to_fit(), ...);
+}
+
 } // namespace
 
 std::size_t ShadingData::bytes() const {
-    return heldBytes(corners) + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
+    return corners.bytes() + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
            heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
            heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
            heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(provoking) +
            heldBytes(boundary) + heldBytes(keepAlive);
+}
+
+void ShadingData::shrink() {
+    shrinkAll(corners, normals, texCoords, colors, vertexMaterials, materials, provoking, boundary,
+              slots, shaders, triangleBlocks, triangleData, vertexBlocks, vertexData, keepAlive);
 }
 
 std::size_t Model::bytes() const {
@@ -64,7 +111,26 @@ std::size_t Model::bytes() const {
            children.bytes() + preparedBytes_.load(std::memory_order_relaxed);
 }
 
+void Model::buildTrees(const std::vector<Triangle>& from, const KdBuildOptions& options) {
+    const TrianglePrimitives primitives(from);
+    droppedTriangles = primitives.droppedCount();
+    if (!from.empty()) {
+        KdBuildStats stats;
+        tree = buildKdTree(primitives, options, &stats);
+        treeEvents = stats.events;
+    }
+    for (const Instance& child : children.instances()) {
+        if (!child.model) continue;
+        levels = std::max(levels, 1 + child.model->levels);
+        drawsPixels |= child.model->drawsPixels;
+    }
+    assert(levels <= uint32_t(kMaxLevels));
+    bounds = tree.bounds;
+    bounds.add(children.bounds());
+}
+
 void Model::makeView() {
+    drawsPixels |= !pixels.empty();
     view_.triangles = triangles.data();
     view_.tree = makeKdView(tree, tree.bounds);
     children.show(view_);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -9,12 +8,14 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
-#include "libsmart/accel/kd_tree.h"
+#include "libsmart/accel/kd_builder.h"
 #include "libsmart/geometry/instance_group.h"
 #include "libsmart/geometry/pixel_geometry.h"
 #include "libsmart/geometry/tile_trees.h"
+#include "libsmart/geometry/triangle_corners.h"
 #include "libsmart/kernel/view.h"
 
 namespace smart {
@@ -23,8 +24,8 @@ namespace smart {
 struct ShadingData {
     static constexpr uint32_t kNone = 0xFFFFFFFFu;
 
-    /// Vertex numbers of each triangle; empty when no per-vertex attribute is stored.
-    std::vector<std::array<uint32_t, 3>> corners;
+    uint32_t vertices = 0; ///< how many were given, those of no triangle included
+    TriangleCorners corners; ///< empty: vertices have neither attributes nor new positions
     /// Attributes of vertices first..; vertices before the first take the instance's.
     uint32_t firstNormal = kNone, firstTexCoord = kNone, firstColor = kNone;
     uint32_t firstMaterial = kNone;
@@ -57,16 +58,25 @@ struct ShadingData {
     std::vector<std::shared_ptr<const void>> keepAlive;
 
     std::size_t bytes() const;
+    /// Gives back memory that nothing lies in.
+    void shrink();
 };
 
 /// A compiled object: immutable, shared by scenes, frames and threads without locks.
-/// Made by ModelBuilder.
+/// Made by ModelBuilder, and from another one by updateModel().
 struct Model {
+    explicit Model(std::shared_ptr<const ShadingData> shadingData = std::make_shared<ShadingData>(),
+                   std::shared_ptr<const InstanceGroup> group = std::make_shared<InstanceGroup>())
+        : sharedShading(std::move(shadingData)), sharedChildren(std::move(group)) {}
+
     std::vector<Triangle> triangles; ///< in the order given; dropped ones keep their number
     KdTree tree;
-    ShadingData shading;
+    /// Models that differ in positions alone have these in common.
+    const std::shared_ptr<const ShadingData> sharedShading;
+    const std::shared_ptr<const InstanceGroup> sharedChildren;
+    const ShadingData& shading = *sharedShading;
+    const InstanceGroup& children = *sharedChildren;
     PixelGeometry pixels;
-    InstanceGroup children;
     uint32_t droppedTriangles = 0; ///< not finite or degenerate; not in the tree
     bool drawsPixels = false;      ///< it, or a child, has something in `pixels`
     uint32_t levels = 1;           ///< 1 without children, else 1 + the deepest child's
@@ -74,7 +84,6 @@ struct Model {
     double buildSeconds = 0;
     Aabb bounds; ///< of triangles and children
 
-    Model() = default;
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
 
@@ -91,6 +100,12 @@ struct Model {
 
 private:
     friend class ModelBuilder;
+    friend std::shared_ptr<const Model> updateModel(const Model& old, uint32_t first,
+                                                    uint32_t count, const float* positions,
+                                                    const KdBuildOptions& options);
+    /// Of `from`, which become the model's later; and what follows from children and pixels.
+    void buildTrees(const std::vector<Triangle>& from, const KdBuildOptions& options);
+    /// The last step.
     void makeView();
 
     mutable ModelView view_{};

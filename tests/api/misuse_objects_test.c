@@ -32,6 +32,19 @@ static RTuint update(void) {
     static const RTfloat xyz[3] = {0, 0, 0};
     return rtUpdateObject(ids.object, 0, 1, xyz), 0u;
 }
+static RTuint updateUnknown(void) {
+    static const RTfloat xyz[3] = {0, 0, 0};
+    return rtUpdateObject(4711, 0, 1, xyz), 0u;
+}
+static RTuint updateNull(void) { return rtUpdateObject(ids.object, 0, 1, NULL), 0u; }
+static RTuint updateNegative(void) {
+    static const RTfloat xyz[3] = {0, 0, 0};
+    return rtUpdateObject(ids.object, 0, -1, xyz), 0u;
+}
+static RTuint updateOutside(void) {
+    static const RTfloat xyz[3] = {0, 0, 0};
+    return rtUpdateObject(ids.object, 1000, 1, xyz), 0u;
+}
 static RTuint reshadeUnknownObject(void) {
     return rtInstantiateObjectShader(4711, ids.surface), 0u;
 }
@@ -90,7 +103,12 @@ int main(void) {
         MISUSE(replace, IN_PRIMITIVE, RT_INVALID_OPERATION),
         MISUSE(replace, IN_OBJECT, RT_INVALID_OPERATION),
         MISUSE(replaceUnknown, OUTSIDE, RT_INVALID_VALUE),
-        MISUSE(update, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(update, IN_PRIMITIVE, RT_INVALID_OPERATION),
+        MISUSE(update, IN_OBJECT, RT_INVALID_OPERATION),
+        MISUSE(updateUnknown, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(updateNull, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(updateNegative, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(updateOutside, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(reshadeUnknownObject, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(reshadeUnknownShader, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(reshadeByLight, OUTSIDE, RT_INVALID_OPERATION),

@@ -69,7 +69,9 @@ TEST_F(GeometryRecordingTest, StoresOnlyWhatIsGiven) {
     EXPECT_EQ(shading.firstColor, kNone);
     EXPECT_EQ(shading.firstNormal, kNone);
     EXPECT_EQ(shading.firstTexCoord, kNone);
-    EXPECT_TRUE(shading.corners.empty() && shading.colors.empty() && shading.slots.empty());
+    EXPECT_TRUE(shading.colors.empty() && shading.slots.empty());
+    EXPECT_EQ(shading.vertices, 6u);
+    EXPECT_EQ(shading.corners, (TriangleCorners{{0, 1, 2}, {3, 4, 5}}));
     EXPECT_TRUE(shading.vertexBlocks.empty() && shading.triangleBlocks.empty());
     EXPECT_EQ(shading.shaders, std::vector<uint32_t>{0});
     EXPECT_TRUE(recording_.empty()) << "compiling empties the recording";

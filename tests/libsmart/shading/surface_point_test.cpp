@@ -18,14 +18,16 @@ using test::bytesOf;
 
 /// One triangle in a chain of instances, as a hit would give it.
 struct Fixture {
-    Model model;
+    std::shared_ptr<ShadingData> stored = std::make_shared<ShadingData>();
+    ShadingData& shading = *stored;
+    Model model{stored};
     std::vector<Instance> instances{1};
     Ray ray{{0, 0, 10}, {0, 0, -2}, 0, 1e30f};
     RTSstate state{};
 
     Fixture() {
         model.triangles = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
-        model.shading.corners = {{0, 1, 2}};
+        shading.corners = {{0, 1, 2}};
     }
     HitChain chain() const {
         HitChain c{};
@@ -71,21 +73,21 @@ TEST(SurfacePointTest, DensityOfTextureCoordinates) {
     EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0) << "none given";
     f.instances[0].inherited.texCoord = {0.5f, 0.5f, 0, 1};
     EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0) << "inherited: the same everywhere";
-    f.model.shading.firstTexCoord = 0;
-    f.model.shading.texCoords = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 8, 0, 1}};
+    f.shading.firstTexCoord = 0;
+    f.shading.texCoords = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 8, 0, 1}};
     EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 1) << "16 in texture space, 16 in the world";
     f.instances[0].toParent = glm::dmat4x3(glm::scale(glm::dmat4(1.0), glm::dvec3(4, 1, 1)));
     EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0.5f);
-    f.model.shading.texCoords = {{1, 1, 0, 1}, {2, 2, 0, 1}, {3, 3, 0, 1}};
+    f.shading.texCoords = {{1, 1, 0, 1}, {2, 2, 0, 1}, {3, 3, 0, 1}};
     EXPECT_EQ(f.fill(0.25f, 0.5f).texCoordDensity, 0) << "no area in texture space";
 }
 
 TEST(SurfacePointTest, AttributesAreInterpolated) {
     Fixture f;
-    f.model.shading.firstTexCoord = f.model.shading.firstColor = f.model.shading.firstNormal = 0;
-    f.model.shading.texCoords = {{0, 0, 0, 1}, {1, 0, 2, 1}, {0, 1, 4, 1}};
-    f.model.shading.colors = {{1, 0, 0, 1}, {0, 1, 0, 0.5f}, {0, 0, 1, 0}};
-    f.model.shading.normals = {{0, 0, 1}, {0, 3, 0}, {4, 0, 0}};
+    f.shading.firstTexCoord = f.shading.firstColor = f.shading.firstNormal = 0;
+    f.shading.texCoords = {{0, 0, 0, 1}, {1, 0, 2, 1}, {0, 1, 4, 1}};
+    f.shading.colors = {{1, 0, 0, 1}, {0, 1, 0, 0.5f}, {0, 0, 1, 0}};
+    f.shading.normals = {{0, 0, 1}, {0, 3, 0}, {4, 0, 0}};
     const RTSstate& s = f.fill(0.25f, 0.5f);
     EXPECT_EQ(vec(s.texCoord), glm::vec4(0.25f, 0.5f, 2.5f, 1));
     EXPECT_EQ(vec(s.color), glm::vec4(0.25f, 0.25f, 0.5f, 0.375f));
@@ -100,8 +102,8 @@ TEST(SurfacePointTest, AttributesAreInterpolated) {
 
 TEST(SurfacePointTest, NormalsGoThroughTheInverseTranspose) {
     Fixture f;
-    f.model.shading.firstNormal = 0;
-    f.model.shading.normals = {{1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
+    f.shading.firstNormal = 0;
+    f.shading.normals = {{1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
     // A plane x + y = c scaled by (2, 1, 1) is x/2 + y = c.
     f.instances[0].toParent = glm::dmat4x3(glm::scale(glm::dmat4(1.0), {2.0, 1.0, 1.0}));
     const double length = std::sqrt(1.25);
@@ -116,8 +118,8 @@ TEST(SurfacePointTest, NormalsGoThroughTheInverseTranspose) {
 
 TEST(SurfacePointTest, MirroringKeepsGivenNormalsOutsideAndTurnsTheWinding) {
     Fixture f;
-    f.model.shading.firstNormal = 0;
-    f.model.shading.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    f.shading.firstNormal = 0;
+    f.shading.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     f.instances[0].toParent = glm::dmat4x3(glm::scale(glm::dmat4(1.0), {-1.0, 1.0, 1.0}));
     const RTSstate& s = f.fill(0.25f, 0.25f);
     EXPECT_EQ(vec(s.position), glm::vec3(-1, 1, 0));
@@ -132,9 +134,9 @@ TEST(SurfacePointTest, MirroringKeepsGivenNormalsOutsideAndTurnsTheWinding) {
 
 TEST(SurfacePointTest, NormalsAgreeWithATransformedTangentPlane) {
     Fixture f;
-    f.model.shading.firstNormal = 0;
+    f.shading.firstNormal = 0;
     const glm::dvec3 n(0.6, -0.48, 0.64), t1(0.8, 0.36, -0.48), t2 = glm::cross(n, t1);
-    f.model.shading.normals = {glm::vec3(n), glm::vec3(n), glm::vec3(n)};
+    f.shading.normals = {glm::vec3(n), glm::vec3(n), glm::vec3(n)};
     glm::dmat4 m = glm::rotate(glm::dmat4(1.0), 0.7, {1.0, 2.0, -1.0});
     m = glm::scale(m, {1e-3, 5.0, -200.0});
     m = glm::rotate(m, -1.3, {0.5, 0.1, 1.0});
@@ -155,15 +157,15 @@ TEST(SurfacePointTest, WithoutNormalsTheGeometricOneServes) {
     f.instances[0].inherited.normal = {1, 0, 0}; // for fixed function, not for programmable ones
     EXPECT_EQ(vec(f.fill(0.25f, 0.5f).shadingNormal), glm::vec3(0, 0, 1));
     // From the second vertex on there is one; the first counts as the triangle's own.
-    f.model.shading.firstNormal = 1;
-    f.model.shading.normals = {{0, 1, 0}, {0, 1, 0}};
+    f.shading.firstNormal = 1;
+    f.shading.normals = {{0, 1, 0}, {0, 1, 0}};
     EXPECT_EQ(vec(f.fill(0.25f, 0.25f).rawNormal), glm::vec3(0, 0.5f, 0.5f));
     EXPECT_EQ(vec(f.fill(0, 0).rawNormal), glm::vec3(0, 0, 1));
     // Normals that cancel, or are no numbers.
-    f.model.shading.firstNormal = 0;
-    f.model.shading.normals = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    f.shading.firstNormal = 0;
+    f.shading.normals = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     EXPECT_EQ(vec(f.fill(0.25f, 0.25f).shadingNormal), glm::vec3(0, 0, 1));
-    f.model.shading.normals[1].x = std::nanf("");
+    f.shading.normals[1].x = std::nanf("");
     EXPECT_EQ(vec(f.fill(0.25f, 0.25f).shadingNormal), glm::vec3(0, 0, 1));
 }
 
@@ -195,8 +197,8 @@ TEST(SurfacePointTest, WhatAnObjectDidNotSetComesFromTheInstanceAbove) {
     EXPECT_EQ(red(), 0.1f);
     EXPECT_EQ(f.state.texCoord[0], 3); // each attribute on its own
     // A colour set before the second vertex of the model.
-    f.model.shading.firstColor = 1;
-    f.model.shading.colors = {{0.5f, 0, 0, 1}, {0.5f, 0, 0, 1}};
+    f.shading.firstColor = 1;
+    f.shading.colors = {{0.5f, 0, 0, 1}, {0.5f, 0, 0, 1}};
     EXPECT_FLOAT_EQ(red(), 0.25f * 0.1f + 0.75f * 0.5f);
     f.state.object = 0;
     f.instances[2].objectId = 7;
@@ -206,9 +208,9 @@ TEST(SurfacePointTest, WhatAnObjectDidNotSetComesFromTheInstanceAbove) {
 TEST(SurfacePointTest, ReplacementsApplyFromTheInnermostOutward) {
     Fixture f;
     EXPECT_EQ(effectiveShader(f.chain()), 0u); // no shader: the default surface
-    f.model.shading.shaders = {5, 6};
+    f.shading.shaders = {5, 6};
     EXPECT_EQ(effectiveShader(f.chain()), 5u); // no slots: all of the first
-    f.model.shading.slots = {1};
+    f.shading.slots = {1};
     EXPECT_EQ(effectiveShader(f.chain()), 6u);
 
     f.instances.resize(2);
@@ -256,7 +258,6 @@ struct BlockFixture : Fixture {
     VertexScratch scratch;
 
     BlockFixture() {
-        ShadingData& shading = model.shading;
         shading.shaders = {shader->index()};
         shading.triangleBlocks = {16};
         shading.triangleData.resize(32);
@@ -300,14 +301,14 @@ TEST(ParameterBlockTest, ShadersOfAnotherClassSeeTheirOwnDefaults) {
 
 TEST(ParameterBlockTest, WithoutBlocksTheDefaultsServe) {
     BlockFixture f;
-    f.model.shading.triangleBlocks[0] = ShadingData::kNone;
-    f.model.shading.vertexBlocks[2] = ShadingData::kNone;
+    f.shading.triangleBlocks[0] = ShadingData::kNone;
+    f.shading.vertexBlocks[2] = ShadingData::kNone;
     f.fill(*f.shader);
     EXPECT_EQ(f.id(), -1);
     EXPECT_EQ(f.vertex().heat, 0.25f * 1 + 0.5f * 8);
-    f.model.shading.triangleBlocks.clear();
-    f.model.shading.vertexBlocks.clear();
-    f.model.shading.corners.clear();
+    f.shading.triangleBlocks.clear();
+    f.shading.vertexBlocks.clear();
+    f.shading.corners.clear();
     f.fill(*f.shader);
     EXPECT_EQ(f.vertex().heat, 8);
 }
