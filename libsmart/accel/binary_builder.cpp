@@ -101,7 +101,6 @@ void BinaryBuilder::plant(std::size_t count, const ReferenceBounds& bounds, Buil
                 costs_.ofDivided(tree_[branch.node], branches[branch.left].costs,
                                  branches[branch.left + 1].costs, canBeLeaf(branch.range));
     }
-    cost_ = branches[0].costs.ofSlots(1);
 }
 
 SlotCosts BinaryBuilder::finish(uint32_t node, const Range& range) {

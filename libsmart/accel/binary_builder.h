@@ -29,7 +29,6 @@ public:
                   BinaryTree& tree, BuildCrew& crew);
 
     const BoxReference& reference(uint32_t at) const { return references_[at]; }
-    float cost() const { return cost_; } ///< of the root
 
 private:
     /// References from `first` on with room up to `end`.
@@ -75,7 +74,6 @@ private:
     const BinaryCosts& costs_;
     const uint32_t smallest_; ///< references that are never divided
     BinaryTree& tree_;
-    float cost_ = 0;
 };
 
 } // namespace smart

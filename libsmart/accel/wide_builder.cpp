@@ -16,18 +16,17 @@ class ReferenceLeaves final : public LeafMaker {
 public:
     ReferenceLeaves(const BinaryTree& binary, const BinaryBuilder& builder)
         : binary_(binary), builder_(builder) {}
-    uint32_t make(const BinaryNode& leaf, WideTree& tree) const override {
-        uint32_t prims[kWideLeafSize];
+    uint32_t gather(const BinaryNode& leaf, uint32_t* prims) const override {
         uint32_t count = 0;
-        gather(leaf, prims, count);
-        return appendLeaf(prims, count, tree);
+        collect(leaf, prims, count);
+        return count;
     }
 
 private:
-    void gather(const BinaryNode& node, uint32_t* prims, uint32_t& count) const {
+    void collect(const BinaryNode& node, uint32_t* prims, uint32_t& count) const {
         if (node.left) {
-            gather(binary_[node.left], prims, count);
-            gather(binary_[node.left + 1], prims, count);
+            collect(binary_[node.left], prims, count);
+            collect(binary_[node.left + 1], prims, count);
             return;
         }
         for (uint32_t i = node.first; i < node.first + node.count; ++i) {
@@ -52,12 +51,7 @@ WideTree build(std::span<const Aabb> boxes, TriangleVertices vertices, unsigned 
     BinaryTree binary(2 * list.references.size(), crew.threads());
     const BinaryBuilder builder(std::move(list), vertices, {}, binaryCosts, binary, crew);
     tree.primitives = uint32_t(count);
-    tree.cost = builder.cost();
-    tree.nodes.reserve(count / 24 + 1);
-    tree.prims.reserve(count);
-    collapse(binary, ReferenceLeaves(binary, builder), tree);
-    tree.nodes.shrink_to_fit();
-    tree.prims.shrink_to_fit();
+    finishWideTree(binary, ReferenceLeaves(binary, builder), costs, tree);
     return tree;
 }
 

@@ -38,31 +38,31 @@ public:
         : boxes_(boxes), keys_(keys), costs_(costs), tree_(tree), nodes_(tree) {}
 
     BinarySubtree build(Stretch stretch) {
-        BinarySubtree subtree;
-        divide(stretch, subtree.root, subtree.costs);
-        return subtree;
+        BinaryNode root;
+        Box4 box;
+        const SlotCosts costs = divide(stretch, root, box);
+        return {root, costs};
     }
 
 private:
-    Box4 divide(Stretch stretch, BinaryNode& node, SlotCosts& costs) {
-        Box4 box;
+    SlotCosts divide(Stretch stretch, BinaryNode& node, Box4& box) {
         if (stretch.count <= costs_.smallestLeaf()) {
             for (uint32_t i = stretch.first; i < stretch.first + stretch.count; ++i)
                 box.add(Box4(boxes_[mortonNumber(keys_[i])]));
             node.describe(box, stretch.first, stretch.count);
-            costs = costs_.ofLeaf(node);
-            return box;
+            return costs_.ofLeaf(node);
         }
         const uint32_t left =
             uint32_t(mortonSplit(keys_.subspan(stretch.first, stretch.count)));
         const uint32_t pair = nodes_.takePair();
-        SlotCosts leftCosts, rightCosts;
-        box = divide({stretch.first, left}, tree_[pair], leftCosts);
-        box.add(divide({stretch.first + left, stretch.count - left}, tree_[pair + 1], rightCosts));
+        const SlotCosts leftCosts = divide({stretch.first, left}, tree_[pair], box);
+        Box4 rightBox;
+        const SlotCosts rightCosts = divide({stretch.first + left, stretch.count - left},
+                                            tree_[pair + 1], rightBox);
+        box.add(rightBox);
         node.describe(box, stretch.first, stretch.count);
         node.left = pair;
-        costs = costs_.ofDivided(node, leftCosts, rightCosts, stretch.count <= kWideLeafSize);
-        return box;
+        return costs_.ofDivided(node, leftCosts, rightCosts, stretch.count <= kWideLeafSize);
     }
 
     const std::span<const Aabb> boxes_;
@@ -76,10 +76,9 @@ private:
 class StretchLeaves final : public LeafMaker {
 public:
     explicit StretchLeaves(std::span<const MortonKey> keys) : keys_(keys) {}
-    uint32_t make(const BinaryNode& leaf, WideTree& tree) const override {
-        uint32_t prims[kWideLeafSize];
+    uint32_t gather(const BinaryNode& leaf, uint32_t* prims) const override {
         for (uint32_t i = 0; i < leaf.count; ++i) prims[i] = mortonNumber(keys_[leaf.first + i]);
-        return appendLeaf(prims, leaf.count, tree);
+        return leaf.count;
     }
 
 private:
@@ -123,14 +122,10 @@ WideTree buildWideTreeFast(std::span<const Aabb> boxes, unsigned threads, const 
         }
     }
     list.count = subtrees.size();
-    const BinaryBuilder builder(std::move(list), nullptr, subtrees, binaryCosts, binary, crew);
+    BinaryBuilder(std::move(list), nullptr, subtrees, binaryCosts, binary, crew);
     tree.bounds = order.bounds.aabb();
     tree.primitives = all.count;
-    tree.cost = builder.cost();
-    tree.nodes.reserve(all.count / (binaryCosts.smallestLeaf() * 5) + 1);
-    tree.prims.reserve(all.count);
-    collapse(binary, StretchLeaves(order.keys), tree);
-    tree.nodes.shrink_to_fit();
+    finishWideTree(binary, StretchLeaves(order.keys), costs, tree);
     return tree;
 }
 

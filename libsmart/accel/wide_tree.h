@@ -26,6 +26,9 @@ struct WideTree {
     }
 };
 
+/// Which of the builders below makes a tree, in the order of their build times.
+enum class WideQuality { Fast, Binned, Spatial };
+
 /// What rays spend, in clock cycles, once they meet a box.
 struct WideCosts {
     float child = 30.0f; ///< the box against the rays one by one
