@@ -26,8 +26,8 @@ bool sharesCorner(const SnappedTriangle& a, const SnappedTriangle& b) {
 float leastWeight(const Hit& hit) {
     return std::min({hit.u, hit.v, 1.0f - hit.u - hit.v});
 }
-bool isOnEdge(const Hit& hit) {
-    return hit.u == 0.0f || hit.v == 0.0f || hit.u + hit.v >= 1.0f;
+int edgesOf(const Hit& hit) {
+    return (hit.u == 0.0f) + (hit.v == 0.0f) + (hit.u + hit.v >= 1.0f);
 }
 
 } // namespace
@@ -280,13 +280,14 @@ void LayerPass::keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) const 
         LayerHit* kept;
         SnappedTriangle triangle;
         Coverage coverage;
+        int edges; ///< on which the place lies
     };
     std::vector<OnScreen> nearEdge;
     for (LayerHit& kept : hits) {
-        OnScreen found{&kept, {}, Coverage::Owned};
+        OnScreen found{&kept, {}, Coverage::Owned, 0};
         if (!kept.counts || leastWeight(kept.hit) >= kNearEdge) continue;
         if (!raster_.snap(kept.triangle, found.triangle)) continue;
-        found.coverage = PolygonRaster::coverage(found.triangle, at);
+        found.coverage = PolygonRaster::coverage(found.triangle, at, found.edges);
         nearEdge.push_back(found);
     }
     for (const OnScreen& one : nearEdge) {
@@ -298,7 +299,10 @@ void LayerPass::keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) const 
                        one.kept->hit.path[0] == other.kept->hit.path[0] &&
                        sharesCorner(one.triangle, other.triangle);
             });
-        if (taken || (one.coverage == Coverage::Boundary && isOnEdge(one.kept->hit)))
+        // On as many edges of the triangle as on the screen. Otherwise a corner was snapped to the
+        // place, and its owner may be one that the ray passes by.
+        const bool exact = one.edges > 0 && one.edges == edgesOf(one.kept->hit);
+        if (taken || (one.coverage == Coverage::Boundary && exact))
             one.kept->counts = false;
     }
 }

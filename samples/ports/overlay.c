@@ -49,12 +49,16 @@ static void panel(void) {
 
 static void frame(void) {
     glColor3f(1.0f, 0.92f, 0.2f);
-    glLineWidth(2.0f);
-    glBegin(GL_LINE_LOOP);
-    glVertex2f(5.0f, 5.0f);
-    glVertex2f((GLfloat)windowWidth - 5.0f, 5.0f);
-    glVertex2f((GLfloat)windowWidth - 5.0f, (GLfloat)windowHeight - 5.0f);
-    glVertex2f(5.0f, (GLfloat)windowHeight - 5.0f);
+    glLineWidth(3.0f);
+    glBegin(GL_LINES);
+    glVertex2f(8.5f, 5.5f);
+    glVertex2f((GLfloat)windowWidth - 8.5f, 5.5f);
+    glVertex2f(8.5f, (GLfloat)windowHeight - 5.5f);
+    glVertex2f((GLfloat)windowWidth - 8.5f, (GLfloat)windowHeight - 5.5f);
+    glVertex2f(5.5f, 8.5f);
+    glVertex2f(5.5f, (GLfloat)windowHeight - 8.5f);
+    glVertex2f((GLfloat)windowWidth - 5.5f, 8.5f);
+    glVertex2f((GLfloat)windowWidth - 5.5f, (GLfloat)windowHeight - 8.5f);
     glEnd();
     glPointSize(7.0f);
     glBegin(GL_POINTS);

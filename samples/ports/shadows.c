@@ -3,7 +3,7 @@
  * colour that it has without the light (Blinn, 1988); with OpenRT rays find the shadows. */
 #include <GL/glut.h>
 
-enum { kTiles = 10 };
+enum { kTiles = 12 };
 
 static const GLfloat light[] = {1.5f, 5.0f, 2.0f, 1.0f};
 static GLfloat angle;
@@ -33,10 +33,10 @@ static void floorPlane(void) {
     glColor3f(0.7f, 0.7f, 0.7f);
     glNormal3f(0.0f, 1.0f, 0.0f);
     for (int row = 0; row < kTiles; ++row) {
-        const GLfloat z = -3.0f + 0.6f * (GLfloat)row;
+        const GLfloat z = -3.6f + 0.6f * (GLfloat)row;
         glBegin(GL_QUAD_STRIP);
         for (int column = 0; column <= kTiles; ++column) {
-            const GLfloat x = -3.0f + 0.6f * (GLfloat)column;
+            const GLfloat x = -3.6f + 0.6f * (GLfloat)column;
             glVertex3f(x, 0.0f, z);
             glVertex3f(x, 0.0f, z + 0.6f);
         }
