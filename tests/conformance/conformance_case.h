@@ -12,6 +12,7 @@ namespace conformance {
 struct Settings {
     std::filesystem::path openGlPrograms; // compiled against OSMesa
     std::filesystem::path openRtPrograms; // the same sources with openrt/gl.h
+    std::filesystem::path openGlPictures; // kept there and used again; empty: not kept
     std::filesystem::path library;        // instead of the one the programs were linked with
     std::filesystem::path work;           // pictures; emptied case by case unless kept
     bool keepPictures = false;

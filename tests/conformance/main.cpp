@@ -77,10 +77,13 @@ int run(int argc, char** argv) {
     app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
         ->check(CLI::ExistingFile);
     app.add_option("--json", json, "file for the results");
-    app.add_option("--html", html, "folder for a report with pictures");
+    CLI::Option* const report = app.add_option("--html", html, "folder for a report with pictures");
     app.add_option("--cases", prefix, "only cases whose names begin so");
     app.add_option("--opengl-programs", settings.openGlPrograms, "folder of the ports on OSMesa");
     app.add_option("--openrt-programs", settings.openRtPrograms, "folder of the ports to test");
+    app.add_option("--opengl-pictures", settings.openGlPictures,
+                   "folder in which OpenGL's pictures are kept from one run to the next")
+        ->excludes(report);
     app.add_flag("--list", list, "names of the cases, nothing else");
     app.add_flag("--quick", settings.quick, "one size and one frame of each port");
     app.add_flag("--times", times,
@@ -90,6 +93,9 @@ int run(int argc, char** argv) {
         ->check(CLI::PositiveNumber);
     CLI11_PARSE(app, argc, argv);
     if (!settings.library.empty()) settings.library = std::filesystem::canonical(settings.library);
+
+    if (!settings.openGlPictures.empty())
+        std::filesystem::create_directories(settings.openGlPictures);
 
     const TemporaryFolder temporary;
     settings.work = temporary.path();

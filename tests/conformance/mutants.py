@@ -24,7 +24,7 @@ import sys
 from mutations import NAMED, mechanical
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CHILD_SECONDS = 30  # for one program; a mutant may never end
+CHILD_SECONDS = 60  # for one program; a mutant may never end
 
 
 def copy_tree(work):
@@ -50,6 +50,8 @@ class Laboratory:
     def __init__(self, work, build, jobs):
         self.tree, self.work, self.jobs = copy_tree(work), work / "build", jobs
         self.conformance = build / "bin" / "openrt-conformance"
+        self.pictures = work / "opengl-pictures"  # of this run's ports
+        shutil.rmtree(self.pictures, ignore_errors=True)
         launcher = [f"-DCMAKE_{language}_COMPILER_LAUNCHER=ccache" for language in ("C", "CXX")
                     if shutil.which("ccache")]
         subprocess.run(["cmake", "-S", self.tree, "-B", self.work, "-G", "Ninja",
@@ -64,7 +66,8 @@ class Laboratory:
     def verdict(self):
         """(True, what failed first) if the library fails, (False, "") if it passes."""
         run = subprocess.run([self.conformance, "--quick", "--fail-fast", "--library",
-                              self.work / "lib" / "libOpenRT.so", "--seconds", str(CHILD_SECONDS)],
+                              self.work / "lib" / "libOpenRT.so", "--seconds", str(CHILD_SECONDS),
+                              "--opengl-pictures", self.pictures],
                              capture_output=True, text=True, errors="replace")
         if run.returncode == 0:
             return False, ""

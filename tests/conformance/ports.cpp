@@ -72,7 +72,14 @@ PortRun::~PortRun() {
 }
 
 std::string PortRun::pattern(const char* which, const char* extension) const {
-    return settings_.work / (stem_ + "-" + which + "-%03d" + extension);
+    const bool isTest = std::string(which) == "rt" || settings_.openGlPictures.empty();
+    const std::filesystem::path& folder = isTest ? settings_.work : settings_.openGlPictures;
+    return folder / (stem_ + "-" + which + "-%03d" + extension);
+}
+
+// The report is written last.
+bool PortRun::isRendered(const std::string& report) const {
+    return !settings_.openGlPictures.empty() && std::filesystem::exists(report);
 }
 
 std::string PortRun::picturePath(const char* which, int frame) const {
@@ -80,11 +87,24 @@ std::string PortRun::picturePath(const char* which, int frame) const {
 }
 
 void PortRun::renderReference() {
+    const std::filesystem::path& folder =
+        settings_.openGlPictures.empty() ? settings_.work : settings_.openGlPictures;
+    const std::string report = folder / (stem_ + "-" + std::to_string(frames_) + "-report.json");
+    if (!isRendered(report)) renderOpenGl(report);
+    const nlohmann::json told = nlohmann::json::parse(std::ifstream(report));
+    for (std::size_t k = 0; k < 3; ++k)
+        clear_[k] = std::uint8_t(std::lround(255.0 * told["clear"][k].get<double>()));
+}
+
+void PortRun::renderOpenGl(const std::string& report) {
     const std::string program = settings_.openGlPrograms / port_;
     // One thread, so that the picture depends on nothing; leaks of Mesa are not ours.
     const std::vector<std::string> environment = {"LP_NUM_THREADS=0",
                                                   "ASAN_OPTIONS=detect_leaks=0"};
-    const std::string report = settings_.work / (stem_ + "-report.json");
+    runOrThrow({program, "-geometry", size_.text(), "--rt-offscreen", std::to_string(frames_),
+                "--rt-output", pattern("split", ".png"), "--rt-depth", pattern("split", ".pfm"),
+                "--rt-split", "first", "--rt-buffer", "float"},
+               environment, settings_.seconds);
     std::vector<std::string> arguments = {program,
                                           "-geometry",
                                           size_.text(),
@@ -99,13 +119,6 @@ void PortRun::renderReference() {
     for (const char* shift : kShifts) arguments.insert(arguments.end(), {"--rt-variant", shift});
     arguments.insert(arguments.end(), {"--rt-variant", kControlShift});
     runOrThrow(arguments, environment, settings_.seconds);
-    runOrThrow({program, "-geometry", size_.text(), "--rt-offscreen", std::to_string(frames_),
-                "--rt-output", pattern("split", ".png"), "--rt-depth", pattern("split", ".pfm"),
-                "--rt-split", "first", "--rt-buffer", "float"},
-               environment, settings_.seconds);
-    const nlohmann::json told = nlohmann::json::parse(std::ifstream(report));
-    for (std::size_t k = 0; k < 3; ++k)
-        clear_[k] = std::uint8_t(std::lround(255.0 * told["clear"][k].get<double>()));
 }
 
 void PortRun::renderTest() {

@@ -42,6 +42,8 @@ public:
     std::string picturePath(const char* which, int frame) const;
 
 private:
+    void renderOpenGl(const std::string& report);
+    bool isRendered(const std::string& report) const;
     std::string pattern(const char* which, const char* extension) const;
     Frame read(const char* which, int frame, int variant) const;
 
