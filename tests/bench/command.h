@@ -25,6 +25,8 @@ using Run = std::function<int()>;
 Run addRays(CLI::App& app);
 Run addBuild(CLI::App& app);
 Run addFrame(CLI::App& app);
+Run addDynamic(CLI::App& app);
+Run addMemory(CLI::App& app);
 Run addReshade(CLI::App& app);
 
 } // namespace smart::bench

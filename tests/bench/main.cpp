@@ -17,6 +17,8 @@ constexpr Command kCommands[] = {
     {"rays", "primary and point-light shadow rays", addRays},
     {"build", "build seconds and memory", addBuild},
     {"frame", "frames with a point light: packets, points, fixed shaders", addFrame},
+    {"dynamic", "scenes that change: updates, trees and rays for each step", addDynamic},
+    {"memory", "bytes of objects and instances, and what lazy building saves", addMemory},
     {"reshade", "memory of instances with shaders of their own", addReshade},
 };
 

@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Tables and pictures of what `openrt-bench dynamic` and `openrt-bench memory` found.
+
+usage: dynamic_plot.py [--dynamic FILE.json] [--memory FILE.json] --page PAGE.md --out FOLDER
+
+Fills the tables of PAGE.md, between lines <!-- NAME --> and <!-- end of NAME -->, and writes
+instances.svg (time of a step against the number of instances) and sheet.svg (what an update of a
+deforming sheet costs, by the way it is made) to FOLDER. Needs nothing but Python.
+"""
+import argparse
+import json
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "accuracy"))
+import plot  # noqa: E402
+
+PARTS = {"update": "#56B4E9", "build": "#E69F00", "trace": "#777777"}
+ENGINES = {"openrt": "#0072B2", "embree low": "#D55E00", "embree medium": "#CC79A7"}
+
+
+def milliseconds(seconds):
+    return f"{1e3 * seconds:.3g}" if seconds < 0.1 else f"{1e3 * seconds:,.0f}"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "| " + " | ".join("---" for _ in head) + " |"]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def best_peer(series):
+    return min((r["step"] for r in series["results"] if r["engine"].startswith("embree")),
+               default=None)
+
+
+def step_rows(series, each):
+    peer = best_peer(series)
+    for result in series["results"]:
+        speed = f"{peer / result['step']:.2f}" if peer else "-"
+        if result["refused"]:
+            yield [result["engine"], "refused: wrong answers", "", "", "", "", ""]
+            continue
+        yield [result["engine"], *(milliseconds(result[part]) for part in PARTS),
+               f"{1 / result['step']:.3g}", speed, f"{result['bytes'] / series[each]:.0f}"]
+
+
+HEAD = ["way", "update, ms", "build, ms", "trace, ms", "steps a second", "to the best peer"]
+
+
+def instance_table(report):
+    rows = []
+    for series in moving(report):
+        for row in step_rows(series, "instances"):
+            rows.append([f"{series['instances']:,}"] + row)
+    return table(["instances"] + HEAD + ["bytes an instance"], rows)
+
+
+def frame_table(report):
+    rows, first = [], {}
+    for frame in report.get("frames", []):
+        base = first.setdefault(frame["lit"], frame["whole"])
+        rows.append([f"{frame['instances']:,}", "lit" if frame["lit"] else "flat",
+                     *(milliseconds(frame[part]) for part in ("describe", "freeze", "render")),
+                     f"{100 * frame['freeze'] / frame['whole']:.1f} %",
+                     f"{1 / frame['whole']:.3g}", f"{frame['whole'] / base:.2f}"])
+    return table(["instances", "shading", "describe, ms", "freeze, ms", "render, ms",
+                  "share of freezing", "frames a second", "time, to the first row of its kind"],
+                 rows)
+
+
+def sheet_table(report):
+    return table(HEAD + ["bytes a triangle"], step_rows(sheet(report), "triangles"))
+
+
+def queue_table(report):
+    q = report["queue"]
+    system = (q["processor"] + q["ready"]) / (q["busy"] + q["idle"])
+    return table(["figure", "value"], [
+        ["threads idle between tiles and frames", f"{100 * q['idle'] / (q['idle'] + q['busy']):.2f} %"],
+        ["time on or ready for a processor by the system, to busy and idle by the library",
+         f"{100 * system:.1f} %"],
+        ["a cancelled frame ends after, median", f"{1e3 * q['cancel']:.2f} ms"],
+        ["the same, longest", f"{1e3 * q['longestCancel']:.2f} ms"],
+        ["a tile takes, mean", f"{1e3 * q['tile']:.2f} ms"],
+        ["the same, longest", f"{1e3 * q['longestTile']:.2f} ms"]])
+
+
+def memory_table(rows):
+    return table(["what", "counted", "by the allocator", "peak while it is made", "seconds"],
+                 [[row["what"], *(f"{row[column] / row['per']:.1f}"
+                                  for column in ("counted", "heap", "peak")),
+                   f"{row['seconds']:.2f}"] for row in rows])
+
+
+def moving(report):
+    return [s for s in report.get("series", []) if s["scene"] != "sheet"]
+
+
+def sheet(report):
+    return next(s for s in report["series"] if s["scene"] == "sheet")
+
+
+def instances_picture(report, out):
+    picture = plot.Picture("Time of a step against the number of moving instances",
+                           f"update, build and {report['size']} x {report['size']} camera rays, "
+                           f"{report['threads']} threads; hollow: update and build alone")
+    series = moving(report)
+    values = [r[part] for s in series for r in s["results"] for part in ("step", "build")]
+    scale = plot.Logarithm(1e3 * min(values), 1e3 * max(values))
+    low, high = (math.log10(pick(s["instances"] for s in series)) for pick in (min, max))
+
+    def place(count):
+        return (math.log10(count) - low) / max(high - low, 1e-9)
+
+    picture.axis_y([tick for tick in scale.ticks() if tick[0] > 0], "milliseconds")
+    picture.axis_x([(place(s["instances"]), f"{s['instances']:,}") for s in series], "instances")
+    legend = []
+    for engine, colour in ENGINES.items():
+        for hollow, parts in ((False, ("step",)), (True, ("update", "build"))):
+            points = [(picture.at_x(place(s["instances"])),
+                       picture.at_y(scale(1e3 * sum(r[part] for part in parts))))
+                      for s in series for r in s["results"] if r["engine"] == engine]
+            if not points:
+                continue
+            picture.path(points, colour)
+            for x, y in points:
+                picture.dot(x, y, colour, hollow)
+            if not hollow:
+                legend.append((engine, colour, False))
+    picture.legend(legend)
+    picture.save(out / "instances.svg")
+
+
+def sheet_picture(report, out):
+    series = sheet(report)
+    results = [r for r in series["results"] if not r["refused"]]
+    picture = plot.Picture(f"A sheet of {series['triangles']:,} triangles, new positions each step",
+                           f"{report['size']} x {report['size']} camera rays, "
+                           f"{report['threads']} threads", width=860)
+    largest = 1e3 * max(r["update"] + r["build"] + r["trace"] for r in results)
+    step = plot.nice_step(largest)
+    top = step * math.ceil(largest / step)
+    picture.axis_y([(i * step / top, f"{i * step:g}") for i in range(round(top / step) + 1)],
+                   "milliseconds")
+    width = 1 / len(results)
+    picture.axis_x([((i + 0.5) * width, r["engine"].replace(" ", "\n"))
+                    for i, r in enumerate(results)], "")
+    for i, result in enumerate(results):
+        below = 0.0
+        for part, colour in PARTS.items():
+            share = 1e3 * result[part] / top
+            picture.bar(picture.at_x((i + 0.2) * width), picture.at_y(below + share),
+                        0.6 * width * picture.plot_width, share * picture.plot_height, colour)
+            below += share
+    picture.legend([(part, colour, False) for part, colour in PARTS.items()])
+    picture.save(out / "sheet.svg")
+
+
+def fill(text, name, content):
+    begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
+    before, found, rest = text.partition(begin)
+    _, found_end, after = rest.partition(end)
+    if not found or not found_end:
+        raise SystemExit(f"the page has no place for {name}")
+    return before + begin + "\n" + content + "\n\n" + end + after
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--dynamic", type=pathlib.Path)
+    parser.add_argument("--memory", type=pathlib.Path)
+    parser.add_argument("--page", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    options = parser.parse_args()
+    text = options.page.read_text(encoding="utf-8")
+    options.out.mkdir(parents=True, exist_ok=True)
+    if options.dynamic:
+        report = json.loads(options.dynamic.read_text(encoding="utf-8"))
+        if moving(report):
+            text = fill(text, "instances", instance_table(report))
+            text = fill(text, "frames", frame_table(report))
+            instances_picture(report, options.out)
+        if any(s["scene"] == "sheet" for s in report.get("series", [])):
+            text = fill(text, "sheet", sheet_table(report))
+            sheet_picture(report, options.out)
+        if "queue" in report:
+            text = fill(text, "queue", queue_table(report))
+    if options.memory:
+        report = json.loads(options.memory.read_text(encoding="utf-8"))
+        text = fill(text, "memory of objects", memory_table(report["objectRows"]))
+        text = fill(text, "memory of instances", memory_table(report["instanceRows"]))
+        text = fill(text, "first pictures", memory_table(report["firstPictures"]))
+    options.page.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
