@@ -186,8 +186,8 @@ Measures compare(const Reference& reference, const Frame& test, bool withFlip) {
     measures.flip = meanOf(flipErrors(reference.frame.color, test.color));
     if (measures.flip <= kFlipLimit || reference.others.empty()) return measures;
     // The last of the others is as good a picture: blended without rounding to 8 bits.
-    measures.flip =
-        std::min(measures.flip, meanOf(flipErrors(reference.others.back().color, test.color)));
+    const float unrounded = meanOf(flipErrors(reference.others.back().color, test.color));
+    measures.flip = std::min(measures.flip, double(unrounded));
     return measures;
 }
 
