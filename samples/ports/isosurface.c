@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* isosurface: metaballs by marching tetrahedra, one vertex array of about 50,000 triangles.
- * Usage: isosurface [CELLS], the number of cells along an edge of the grid (default 62).
+/* isosurface: metaballs by marching tetrahedra, a display list of one vertex array with about 50,000
+ * triangles. Usage: isosurface [CELLS], the number of cells along an edge of the grid (default 86).
  * The subdivision of a cell into six tetrahedra around its diagonal: Kuhn, 1960. */
 #include <GL/glut.h>
 #include <math.h>
@@ -26,7 +26,8 @@ static const GLfloat kLevel = 1.0f;
 
 static Vertex* vertices;
 static GLsizei vertexCount, vertexRoom;
-static int cells = 62;
+static int cells = 86;
+static GLuint surface;
 static GLfloat angle;
 
 static GLfloat field(Vector p) {
@@ -105,14 +106,32 @@ static void tetrahedron(const Vector p[4], const GLfloat f[4]) {
     if (in == 2) triangle(cut[1], cut[2], cut[3]);
 }
 
+/* The field at the grid points below and above a layer of cells. */
+static GLfloat* layers[2];
+
+static GLfloat* fieldAt(int x, int y, int above) {
+    return layers[above] + (size_t)y * (size_t)(cells + 1) + (size_t)x;
+}
+
+static void fillLayer(int z) {
+    GLfloat* const below = layers[0];
+    layers[0] = layers[1];
+    layers[1] = below;
+    for (int y = 0; y <= cells; ++y)
+        for (int x = 0; x <= cells; ++x) *fieldAt(x, y, 1) = field(gridPoint(x, y, z));
+}
+
 static void cell(int x, int y, int z) {
     static const int orders[6][2] = {{1, 3}, {1, 5}, {2, 3}, {2, 6}, {4, 5}, {4, 6}};
     Vector p[8];
     GLfloat f[8];
+    int inside = 0;
     for (int i = 0; i < 8; ++i) {
-        p[i] = gridPoint(x + (i & 1), y + (i >> 1 & 1), z + (i >> 2));
-        f[i] = field(p[i]);
+        f[i] = *fieldAt(x + (i & 1), y + (i >> 1 & 1), i >> 2);
+        inside += f[i] >= kLevel;
     }
+    if (inside == 0 || inside == 8) return;
+    for (int i = 0; i < 8; ++i) p[i] = gridPoint(x + (i & 1), y + (i >> 1 & 1), z + (i >> 2));
     for (int i = 0; i < 6; ++i) {
         const int a = orders[i][0], b = orders[i][1];
         const Vector corners[4] = {p[0], p[a], p[b], p[7]};
@@ -122,16 +141,26 @@ static void cell(int x, int y, int z) {
 }
 
 static void makeSurface(void) {
-    for (int z = 0; z < cells; ++z)
+    const size_t points = (size_t)(cells + 1) * (size_t)(cells + 1);
+    for (int i = 0; i < 2; ++i) {
+        layers[i] = malloc(points * sizeof *layers[i]);
+        if (layers[i] == NULL) exit(1);
+    }
+    fillLayer(0);
+    for (int z = 0; z < cells; ++z) {
+        fillLayer(z + 1);
         for (int y = 0; y < cells; ++y)
             for (int x = 0; x < cells; ++x) cell(x, y, z);
+    }
+    free(layers[0]);
+    free(layers[1]);
 }
 
 static void display(void) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glPushMatrix();
     glRotatef(angle, 0.3f, 1.0f, 0.1f);
-    glDrawArrays(GL_TRIANGLES, 0, vertexCount);
+    glCallList(surface);
     glPopMatrix();
     glutSwapBuffers();
 }
@@ -167,6 +196,10 @@ static void init(void) {
     glEnableClientState(GL_VERTEX_ARRAY);
     glNormalPointer(GL_FLOAT, sizeof(Vertex), &vertices[0].normal);
     glVertexPointer(3, GL_FLOAT, sizeof(Vertex), &vertices[0].position);
+    surface = glGenLists(1);
+    glNewList(surface, GL_COMPILE);
+    glDrawArrays(GL_TRIANGLES, 0, vertexCount);
+    glEndList();
 }
 
 int main(int argc, char** argv) {

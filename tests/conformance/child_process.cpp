@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -99,6 +100,7 @@ Outcome runProgram(const std::vector<std::string>& arguments,
     posix_spawn_file_actions_adddup2(&actions, output.writer(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, errors.writer(), STDERR_FILENO);
     pid_t child = 0;
+    const auto start = std::chrono::steady_clock::now();
     outcome.started = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(),
                                   environmentOf(environment).data()) == 0;
     posix_spawn_file_actions_destroy(&actions);
@@ -108,7 +110,12 @@ Outcome runProgram(const std::vector<std::string>& arguments,
     outcome.timedOut = !readBoth(outcome, output.reader(), errors.reader(), seconds);
     if (outcome.timedOut) kill(child, SIGKILL);
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
+    outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (const timeval& part : {usage.ru_utime, usage.ru_stime})
+        outcome.processorSeconds += double(part.tv_sec) + 1e-6 * double(part.tv_usec);
     outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return outcome;
 }

@@ -10,6 +10,7 @@ struct Outcome {
     bool started = false;
     bool timedOut = false;
     int status = -1;    // exit status, 128 + signal if killed
+    double seconds = 0, processorSeconds = 0; // from start to end, and of all its threads
     std::string output; // standard output
     std::string errors; // standard error
 

@@ -2,7 +2,6 @@
 #include "tests/conformance/frame_times.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -29,42 +28,57 @@ std::vector<std::string> commandOf(const std::filesystem::path& folder, const Su
     return command;
 }
 
-double secondsOf(const std::vector<std::string>& command,
-                 const std::vector<std::string>& environment, int limit) {
-    const auto start = std::chrono::steady_clock::now();
+Milliseconds timeOf(const std::vector<std::string>& command,
+                    const std::vector<std::string>& environment, int limit) {
     const Outcome outcome = runProgram(command, environment, limit);
     const std::string failure = outcome.failure(command[0]);
     if (!failure.empty()) throw std::runtime_error(failure);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {1e3 * outcome.seconds, 1e3 * outcome.processorSeconds};
 }
 
-void measureOpenGl(const Settings& settings, const Subject& subject, FrameTime& time) {
-    const std::string report = settings.work / "times.json";
-    std::vector<std::string> command =
-        commandOf(settings.openGlPrograms, subject, kFirstFrames + kFrames);
-    command.insert(command.end(), {"--rt-report", report});
-    secondsOf(command, {"LP_NUM_THREADS=2", "ASAN_OPTIONS=detect_leaks=0"}, settings.seconds);
-    const nlohmann::json told = nlohmann::json::parse(std::ifstream(report));
-    std::vector<double> times = told["ms"];
-    times.erase(times.begin(), times.begin() + kFirstFrames);
-    std::nth_element(times.begin(), times.begin() + kFrames / 2, times.end());
-    time.openGl = times[kFrames / 2];
-    time.renderer = told["renderer"].get<std::string>() + ", " + told["version"].get<std::string>();
-}
+// The least time of few frames, and of ten more.
+struct Measurement {
+    std::filesystem::path folder;
+    std::vector<std::string> environment;
+    Milliseconds few, many;
 
-// What ten more frames take: a library need not tell how long it worked.
-void measureOpenRt(const Settings& settings, const Subject& subject, FrameTime& time) {
-    std::vector<std::string> environment = {"OPENRT_THREADS=2"};
-    if (!settings.library.empty()) environment.push_back("LD_PRELOAD=" + settings.library.string());
-    double few = 1e30, many = 1e30;
-    for (int i = 0; i < kRepetitions; ++i) {
-        few = std::min(few, secondsOf(commandOf(settings.openRtPrograms, subject, kFirstFrames),
-                                      environment, settings.seconds));
-        many = std::min(
-            many, secondsOf(commandOf(settings.openRtPrograms, subject, kFirstFrames + kFrames),
-                            environment, settings.seconds));
+    void repeat(const Subject& subject, int limit) {
+        const auto add = [&](Milliseconds& least, int frames) {
+            const Milliseconds time =
+                timeOf(commandOf(folder, subject, frames), environment, limit);
+            least.passed = std::min(least.passed, time.passed);
+            least.worked = std::min(least.worked, time.worked);
+        };
+        add(few, kFirstFrames);
+        add(many, kFirstFrames + kFrames);
     }
-    time.openRt = 1e3 * (many - few) / kFrames;
+    Milliseconds ofFrame() const {
+        return {(many.passed - few.passed) / kFrames, (many.worked - few.worked) / kFrames};
+    }
+};
+
+FrameTime measure(const Settings& settings, const Subject& subject) {
+    Measurement openGl{settings.openGlPrograms,
+                       {"LP_NUM_THREADS=2", "ASAN_OPTIONS=detect_leaks=0"}, {}, {}};
+    Measurement openRt{settings.openRtPrograms, {"OPENRT_THREADS=2"}, {}, {}};
+    if (!settings.library.empty())
+        openRt.environment.push_back("LD_PRELOAD=" + settings.library.string());
+    for (int i = 0; i < kRepetitions; ++i) {
+        openGl.repeat(subject, settings.seconds);
+        openRt.repeat(subject, settings.seconds);
+    }
+    return {subject.port + (subject.cells.empty() ? "" : " " + subject.cells), openGl.ofFrame(),
+            openRt.ofFrame()};
+}
+
+// As OpenGL names itself.
+std::string rendererOf(const Settings& settings) {
+    const std::string report = settings.work / "times.json";
+    std::vector<std::string> command = commandOf(settings.openGlPrograms, {ports()[0].name, ""}, 1);
+    command.insert(command.end(), {"--rt-report", report});
+    timeOf(command, {"LP_NUM_THREADS=2", "ASAN_OPTIONS=detect_leaks=0"}, settings.seconds);
+    const nlohmann::json told = nlohmann::json::parse(std::ifstream(report));
+    return told["renderer"].get<std::string>() + ", " + told["version"].get<std::string>();
 }
 
 } // namespace
@@ -72,19 +86,19 @@ void measureOpenRt(const Settings& settings, const Subject& subject, FrameTime& 
 std::vector<FrameTime> measureFrameTimes(const Settings& settings, const std::string& prefix) {
     std::vector<Subject> subjects;
     for (const Port& port : ports()) subjects.push_back({port.name, ""});
-    for (const char* cells : {"62", "196", "620"}) subjects.push_back({"isosurface", cells});
+    for (const char* cells : {"86", "271", "857"}) subjects.push_back({"isosurface", cells});
+    std::printf("OpenGL: %s; both with 2 threads, 512x512\n", rendererOf(settings).c_str());
+    std::printf("%-16s %21s   %21s\n", "ms of a frame:", "passed OpenGL, OpenRT",
+                "worked OpenGL, OpenRT");
     std::vector<FrameTime> times;
     for (const Subject& subject : subjects) {
         if (subject.port.rfind(prefix, 0) != 0) continue;
-        FrameTime time;
-        time.name = subject.port + (subject.cells.empty() ? "" : " " + subject.cells);
-        measureOpenGl(settings, subject, time);
-        measureOpenRt(settings, subject, time);
-        if (times.empty()) std::printf("OpenGL: %s, 2 threads\n", time.renderer.c_str());
-        std::printf("%-16s OpenGL %9.3f ms, OpenRT %9.3f ms\n", time.name.c_str(), time.openGl,
-                    time.openRt);
+        times.push_back(measure(settings, subject));
+        const FrameTime& time = times.back();
+        std::printf("%-16s %10.2f %10.2f   %10.2f %10.2f\n", time.name.c_str(),
+                    time.openGl.passed, time.openRt.passed, time.openGl.worked,
+                    time.openRt.worked);
         std::fflush(stdout);
-        times.push_back(time);
     }
     return times;
 }
