@@ -5,17 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "libsmart/accel/kd_builder.h"
 #include "libsmart/base/fp_environment.h"
-#include "libsmart/geometry/kd_view.h"
+#include "libsmart/geometry/box_view.h"
 #include "libsmart/geometry/model.h"
 
 namespace smart {
 namespace {
-
-/// Entering an instance costs several steps down a tree: sixteen rays are transformed, and its
-/// model's tree starts at the root again.
-constexpr float kInstanceCost = 4.0f;
 
 float roundedDown(double value) {
     constexpr double kMax = std::numeric_limits<float>::max();
@@ -48,16 +43,6 @@ Aabb transformed(const glm::dmat4x3& matrix, const Aabb& box) {
     }
     return result;
 }
-
-class InstanceBoxes final : public KdPrimitives {
-public:
-    explicit InstanceBoxes(const std::vector<Aabb>& boxes) : boxes_(boxes) {}
-    uint32_t count() const override { return uint32_t(boxes_.size()); }
-    Aabb bounds(uint32_t prim) const override { return boxes_[prim]; }
-
-private:
-    const std::vector<Aabb>& boxes_;
-};
 
 /// From the residual E = 1 - X M: as M^-1 = (1 - E)^-1 X, |M^-1 y - X y| <= |E| / (1 - |E|) |X y|
 /// in the maximum norm. Computing an entry of E errs by less than 4 units of 2^-53 of its terms.
@@ -119,22 +104,8 @@ InstanceGroup::InstanceGroup(std::vector<Instance> instances, unsigned threads)
         boxes.push_back(box);
         bounds_.add(box);
     }
-    if (instances_.size() > 1) {
-        KdBuildOptions options;
-        options.intersectionCost = kInstanceCost;
-        options.threads = std::max(threads, 1u);
-        tree_ = buildKdTree(InstanceBoxes(boxes), options);
-    }
-}
-
-std::vector<Aabb> InstanceGroup::boxes() const {
-    const FpEnvironment standard;
-    std::vector<Aabb> boxes(instances_.size());
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        if (views_[i].model)
-            boxes[i] = transformed(instances_[i].toParent, instances_[i].model->bounds);
-    }
-    return boxes;
+    if (instances_.size() > 1)
+        tree_ = buildWideTree(boxes, std::max(threads, 1u), kInstanceCosts);
 }
 
 std::size_t ShaderReplacement::bytes() const {
@@ -153,7 +124,9 @@ std::size_t InstanceGroup::bytes() const {
 
 void InstanceGroup::show(ModelView& view) const {
     view.children = views_.data();
-    view.childTree = makeKdView(tree_, bounds_);
+    static_cast<BoxView&>(view.childTree) = makeBoxView(bounds_);
+    view.childTree.nodes = tree_.nodes.empty() ? nullptr : tree_.nodes.data();
+    view.childTree.prims = tree_.prims.data();
     view.childCount = bounds_.empty() ? 0 : uint32_t(views_.size());
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "libsmart/accel/kd_tree.h"
+#include "libsmart/accel/wide_tree.h"
 #include "libsmart/kernel/view.h"
 
 namespace smart {
@@ -70,11 +70,9 @@ public:
 
     const std::vector<Instance>& instances() const { return instances_; }
     const std::vector<InstanceView>& views() const { return views_; }
-    const KdTree& tree() const { return tree_; }
+    const WideTree& tree() const { return tree_; }
     uint32_t dropped() const { return dropped_; } ///< singular or not finite
     Aabb bounds() const { return bounds_; }
-    /// Of each instance; empty where it is never hit.
-    std::vector<Aabb> boxes() const;
     std::size_t bytes() const;
     /// Points `view`'s children at this group; valid as long as the group lives and stays put.
     void show(ModelView& view) const;
@@ -82,7 +80,7 @@ public:
 private:
     std::vector<Instance> instances_;
     std::vector<InstanceView> views_;
-    KdTree tree_; ///< empty for fewer than two instances
+    WideTree tree_; ///< empty for fewer than two instances
     Aabb bounds_;
     uint32_t dropped_ = 0;
 };

@@ -161,7 +161,7 @@ void Model::prepareTiles() const {
             boxes[i].add(triangles[i].v1);
             boxes[i].add(triangles[i].v2);
         }
-        tileTrees_ = TileTrees(triangles, boxes, children);
+        tileTrees_ = TileTrees(triangles, boxes);
         preparedBytes_.fetch_add(tileTrees_.bytes(), std::memory_order_relaxed);
         tileTrees_.show(view_);
     });

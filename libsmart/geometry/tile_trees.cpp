@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "libsmart/geometry/instance_group.h"
+#include "libsmart/geometry/box_view.h"
 #include "libsmart/kernel/packet.h"
 
 namespace smart {
@@ -32,22 +32,21 @@ std::vector<float> layOut(const WideTree& tree, const std::vector<Triangle>& tri
 
 } // namespace
 
-TileTrees::TileTrees(const std::vector<Triangle>& triangles, const std::vector<Aabb>& boxes,
-                     const InstanceGroup& children)
+TileTrees::TileTrees(const std::vector<Triangle>& triangles, const std::vector<Aabb>& boxes)
     : triangles_(buildWideTree(boxes)) {
     if (!triangles_.nodes.empty()) blocks_ = layOut(triangles_, triangles);
     std::vector<uint32_t>().swap(triangles_.prims);
-    if (!children.tree().nodes.empty()) children_ = buildWideTree(children.boxes());
 }
 
 std::size_t TileTrees::bytes() const {
-    return triangles_.bytes() + children_.bytes() + blocks_.capacity() * sizeof(float);
+    return triangles_.bytes() + blocks_.capacity() * sizeof(float);
 }
 
 void TileTrees::show(ModelView& view) const {
-    if (!triangles_.nodes.empty()) view.wide = {triangles_.nodes.data(), nullptr, blocks_.data()};
-    if (!children_.nodes.empty())
-        view.wideChildren = {children_.nodes.data(), children_.prims.data(), nullptr};
+    if (triangles_.nodes.empty()) return;
+    static_cast<BoxView&>(view.wide) = makeBoxView(triangles_.bounds);
+    view.wide.nodes = triangles_.nodes.data();
+    view.wide.blocks = blocks_.data();
 }
 
 } // namespace smart

@@ -9,16 +9,13 @@
 
 namespace smart {
 
-class InstanceGroup;
-
-/// What tiles of rays walk in a model or a scene beside the kd-trees: box trees of wide nodes over
-/// its triangles and over its children, and the triangles once more in the order of the leaves.
+/// What tiles of rays walk in a model: a box tree of wide nodes over its triangles, and the
+/// triangles once more in the order of the leaves.
 class TileTrees {
 public:
     TileTrees() = default;
     /// Triangles whose box is empty are left out. Throws std::bad_alloc.
-    TileTrees(const std::vector<Triangle>& triangles, const std::vector<Aabb>& boxes,
-              const InstanceGroup& children);
+    TileTrees(const std::vector<Triangle>& triangles, const std::vector<Aabb>& boxes);
     TileTrees(TileTrees&&) = default;
     TileTrees& operator=(TileTrees&&) = default;
 
@@ -27,7 +24,7 @@ public:
     void show(ModelView& view) const;
 
 private:
-    WideTree triangles_, children_;
+    WideTree triangles_;
     std::vector<float> blocks_; ///< see WideView
 };
 

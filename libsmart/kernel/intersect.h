@@ -16,13 +16,14 @@ public:
 
     Watertight(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group)
         : triangles_(model.triangles), shear_(rays, group), rays_(rays) {
+        const float maxAbs = triangleBox(model).maxAbs;
         // Weights of slivers err in float, and t with them, by a share of the triangle's depth.
         doubtful_ = magnitude(shear_.scale()) *
-                    (Real<N>(model.tree.maxAbs) + magnitude(shear_.depthOrigin())) *
+                    (Real<N>(maxAbs) + magnitude(shear_.depthOrigin())) *
                     Real<N>(0x1p-10f);
         // Three factors of the test's products are coordinates: beyond this they may overflow.
         const Real<N> largest(0x1p40f);
-        large_ = Real<N>(model.tree.maxAbs) > largest;
+        large_ = Real<N>(maxAbs) > largest;
         for (int k = 0; k < 3; ++k)
             large_ = large_ | (magnitude(Real<N>::load(rays.org[k])) > largest);
         large_ = large_ & Mask<N>::fromBits(group.lanes);
@@ -36,6 +37,30 @@ public:
     }
     HWY_INLINE Mask<N> meet(const Triangle& triangle, const Mask<N>& active, Real<N>& t) const {
         return someLarge_ ? meetLarge(triangle, active, t) : meetInFloat(triangle, active, t);
+    }
+
+    /// Of the triangles of a block, those that the one ray may hit: `meet` and `comparable`, which
+    /// compute the same, find that it misses all others, or their limits.
+    HWY_INLINE uint32_t candidates(const TriangleBlock& block, const Real<1>& near,
+                                   const Real<1>& best) const
+        requires(N == 1)
+    {
+        using R = Real<kPacketSize>;
+        if (someLarge_) return block.all();
+        const Sheared<kPacketSize> sheared = shear_(block);
+        R u, v, w;
+        sheared.edgeFunctions(u, v, w);
+        const R zero(0.0f), limit(best.v);
+        const auto inside = (min(min(u, v), w) >= zero) | (max(max(u, v), w) <= zero);
+        const uint32_t met = inside.bits() & block.all();
+        if (!met) return 0;
+        const R t = (u * sheared.a[2] + v * sheared.b[2] + w * sheared.c[2]) *
+                    R(shear_.scale().v) / (u + v + w);
+        const auto inRange = (t >= R(near.v)) & (t <= limit);
+        const auto undecided = (u == zero) | (v == zero) | (w == zero);
+        const auto doubtful = (magnitude(t) <= R(doubtful_.v)) |
+                              (magnitude(t - limit) <= R((doubtful_ * Real<1>(0x1p-6f)).v));
+        return met & (inRange | undecided | doubtful).bits();
     }
 
     /// Of the lanes that meet the triangle at t, those for which float can compare t with `best`:
@@ -239,6 +264,10 @@ public:
             org_[k] = Real<N>::load(rays.org[k]);
             dir_[k] = Real<N>::load(rays.dir[k]);
         }
+    }
+
+    uint32_t candidates(const TriangleBlock& block, const Real<1>&, const Real<1>&) const {
+        return block.all();
     }
 
     HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {

@@ -24,14 +24,17 @@ Real<N> boundedReciprocal(const Real<N>& x) {
     return select(x == Real<N>(0.0f), Real<N>(kBound), r);
 }
 
+/// How far the planes of a kd-tree are moved, as a share of the largest coordinate.
+inline constexpr float kSplitPadding = 0x1p-21f;
+
 /// How far planes across an axis are moved.
 template <int N>
 class PlanePadding {
 public:
-    PlanePadding(const KdView& tree, const LocalRays<N>& rays, const RayGroup&) {
+    PlanePadding(const BoxView& tree, const LocalRays<N>& rays, const RayGroup&, float share) {
         Real<N> scale(tree.maxAbs);
         for (int k = 0; k < 3; ++k) scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
-        padding_ = scale * Real<N>(0x1p-21f);
+        padding_ = scale * Real<N>(share);
     }
     const Real<N>& operator()(int) const { return padding_; }
 
@@ -47,7 +50,7 @@ private:
 template <int N>
 class PrecisePadding {
 public:
-    PrecisePadding(const KdView& tree, const PreciseRays<N>& rays, const RayGroup& group)
+    PrecisePadding(const BoxView& tree, const PreciseRays<N>& rays, const RayGroup& group)
         : tree_(tree), rays_(rays) {
         const int axis = group.dominantAxis;
         error_ = Real<N>::load(rays.orgError) * Real<N>(1.25f) + Real<N>(0x1p-144f) +
@@ -68,18 +71,19 @@ private:
                                    __builtin_fabsf(tree_.hi[axis])));
         return max(box, magnitude(Real<N>::load(rays_.org[axis])));
     }
-    const KdView& tree_;
+    const BoxView& tree_;
     const PreciseRays<N>& rays_;
     Real<N> error_;
 };
 
 template <int N>
-PlanePadding<N> planePadding(const KdView& tree, const LocalRays<N>& rays, const RayGroup& group) {
-    return {tree, rays, group};
+PlanePadding<N> planePadding(const BoxView& tree, const LocalRays<N>& rays, const RayGroup& group,
+                             float share) {
+    return {tree, rays, group, share};
 }
 template <int N>
-PrecisePadding<N> planePadding(const KdView& tree, const PreciseRays<N>& rays,
-                               const RayGroup& group) {
+PrecisePadding<N> planePadding(const BoxView& tree, const PreciseRays<N>& rays,
+                               const RayGroup& group, float) {
     return {tree, rays, group};
 }
 
@@ -91,9 +95,10 @@ struct TreeRays {
     Real<N> enterOrg[3]; ///< ... begins: padded to be early
     const RayGroup& group;
 
+    /// share: see PlanePadding
     template <class Rays>
-    TreeRays(const KdView& tree, const Rays& rays, const RayGroup& g) : group(g) {
-        const auto paddings = planePadding(tree, rays, g);
+    TreeRays(const BoxView& tree, const Rays& rays, const RayGroup& g, float share) : group(g) {
+        const auto paddings = planePadding(tree, rays, g, share);
         for (int k = 0; k < 3; ++k) {
             const Real<N> padding = paddings(k);
             const Real<N> org = Real<N>::load(rays.org[k]);
@@ -110,7 +115,7 @@ struct TreeRays {
         return (Real<N>(plane) - enterOrg[axis]) * reciprocal[axis];
     }
 
-    void clip(const KdView& tree, Real<N>& tNear, Real<N>& tFar) const {
+    void clip(const BoxView& tree, Real<N>& tNear, Real<N>& tFar) const {
         for (int k = 0; k < 3; ++k) {
             const float first = group.negative[k] ? tree.hi[k] : tree.lo[k];
             const float last = group.negative[k] ? tree.lo[k] : tree.hi[k];

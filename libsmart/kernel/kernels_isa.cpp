@@ -47,6 +47,7 @@ void run(const ModelView& scene, const RayArrays& in, WorldRays<N>& world,
     typename Precision<N>::Rays rays;
     uint32_t legal;
     query.lastOfEqual = scene.lastOfEqual != 0;
+    query.wideReady = scene.wideReady != 0;
     if constexpr (kIsPrecise<Precision>)
         legal = preparePreciseRays<N, M, Counter>(scene, in.org, in.dir, in.tNear, in.tFar,
                                                   in.active, rays, world, query);
@@ -195,6 +196,7 @@ void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
     for (uint32_t v = 0; v < count; ++v) {
         const RayArrays in(packets[v]);
         query[v].lastOfEqual = scene.lastOfEqual != 0;
+        query[v].wideReady = scene.wideReady != 0;
         legal.of[v] = prepareRays<kPacketSize, M, NoCounts>(
             in.org, in.dir, in.tNear, in.tFar, in.active, tile.rays[v], world.scale, query[v]);
     }

@@ -39,7 +39,7 @@ public:
 
     Precise(const ModelView& model, const Rays& rays, const RayGroup& group)
         : triangles_(model.triangles), shear_(rays, group) {
-        const KdView& tree = model.tree;
+        const BoxView& tree = triangleBox(model);
         Real<N> reach(0.0f);
         for (int k = 0; k < 3; ++k) {
             const Real<N> org = Real<N>::load(rays.org[k]);
@@ -59,38 +59,34 @@ public:
         depthScale_ = Real<N>(1.01f) * depthScale;
     }
 
+    /// Of the triangles of a block, those that the one ray may hit within its limits.
+    HWY_INLINE uint32_t candidates(const TriangleBlock& block, const Real<1>& near,
+                                   const Real<1>& best) const
+        requires(N == 1)
+    {
+        using R = Real<kPacketSize>;
+        const Sheared<kPacketSize> s = shear_(block);
+        Filter<kPacketSize> filter(s, R(slope_.v), R(floor_.v));
+        const uint32_t open = block.all() & ~filter.missed.bits();
+        if (!open) return 0;
+        filter.place(s, R(shear_.scale().v), R(depthScale_.v), R(distanceError_.v));
+        const auto irrelevant =
+            filter.inside & ((filter.high < R(near.v)) | (filter.low > R(best.v)));
+        return open & ~irrelevant.bits();
+    }
+
     /// Brings the query up to date with a triangle; `active` and `best` as in traversal. Any hit:
     /// takes lanes out of `active` that met something.
     template <HitMode M, class Counter>
     HWY_INLINE void test(uint32_t number, Mask<N>& active, Real<N>& best,
                          Search<N, M, Counter>& query) const {
         const Sheared<N> s = shear_(triangles_[number]);
-        Real<N> u, v, w;
-        s.edgeFunctions(u, v, w);
-        const Real<N> size =
-            max(max(max(magnitude(s.a[0]), magnitude(s.a[1])),
-                    max(magnitude(s.b[0]), magnitude(s.b[1]))),
-                max(magnitude(s.c[0]), magnitude(s.c[1])));
-        const Real<N> bound = slope_ * size + floor_;
-        const Real<N> minusBound = Real<N>(0.0f) - bound;
-        const Real<N> lowest = min(min(u, v), w);
-        const Real<N> highest = max(max(u, v), w);
-        const Mask<N> missed = (lowest < minusBound) & (highest > bound);
-        const Mask<N> open = andNot(active, missed);
+        Filter<N> filter(s, slope_, floor_);
+        const Mask<N> open = andNot(active, filter.missed);
         if (!any(open)) return;
-
-        const Real<N> sum = u + v + w;
-        const Real<N> inverse = Real<N>(1.0f) / sum;
-        const Real<N> share = bound * magnitude(inverse);
-        const Mask<N> inside = ((lowest > bound) | (highest < minusBound)) &
-                               (share < Real<N>(0.124f));
-        const Real<N> toSecond = s.b[2] - s.a[2], toThird = s.c[2] - s.a[2];
-        const Real<N> t =
-            (s.a[2] + ((v * inverse) * toSecond + (w * inverse) * toThird)) * shear_.scale();
-        const Real<N> range = max(max(s.a[2], s.b[2]), s.c[2]) - min(min(s.a[2], s.b[2]), s.c[2]);
-        const Real<N> error =
-            depthScale_ * range * (Real<N>(4.9f) * share + Real<N>(0x1p-19f)) + distanceError_;
-        const Real<N> low = t - error, high = t + error;
+        filter.place(s, shear_.scale(), depthScale_, distanceError_);
+        const Mask<N> inside = filter.inside;
+        const Real<N> low = filter.low, high = filter.high;
         const Real<N> near = Real<N>::load(query.tNear), bestLow = Real<N>::load(query.low);
         const Mask<N> irrelevant = inside & ((high < near) | (low > best));
         const Mask<N> clear = open & inside & (low > near) & (high < bestLow);
@@ -112,6 +108,48 @@ public:
     }
 
 private:
+    /// What float can say of L rays and a triangle, or of one ray and L triangles.
+    template <int L>
+    struct Filter {
+        Mask<L> missed;
+        // Known once placed:
+        Mask<L> inside;
+        Real<L> low, high; ///< of the distance
+
+        HWY_INLINE Filter(const Sheared<L>& s, const Real<L>& slope, const Real<L>& floor) {
+            s.edgeFunctions(u, v, w);
+            const Real<L> size =
+                max(max(max(magnitude(s.a[0]), magnitude(s.a[1])),
+                        max(magnitude(s.b[0]), magnitude(s.b[1]))),
+                    max(magnitude(s.c[0]), magnitude(s.c[1])));
+            bound = slope * size + floor;
+            minusBound = Real<L>(0.0f) - bound;
+            lowest = min(min(u, v), w);
+            highest = max(max(u, v), w);
+            missed = (lowest < minusBound) & (highest > bound);
+        }
+
+        HWY_INLINE void place(const Sheared<L>& s, const Real<L>& scale, const Real<L>& depthScale,
+                              const Real<L>& distanceError) {
+            const Real<L> sum = u + v + w;
+            const Real<L> inverse = Real<L>(1.0f) / sum;
+            const Real<L> share = bound * magnitude(inverse);
+            inside = ((lowest > bound) | (highest < minusBound)) & (share < Real<L>(0.124f));
+            const Real<L> toSecond = s.b[2] - s.a[2], toThird = s.c[2] - s.a[2];
+            const Real<L> t =
+                (s.a[2] + ((v * inverse) * toSecond + (w * inverse) * toThird)) * scale;
+            const Real<L> range =
+                max(max(s.a[2], s.b[2]), s.c[2]) - min(min(s.a[2], s.b[2]), s.c[2]);
+            const Real<L> error =
+                depthScale * range * (Real<L>(4.9f) * share + Real<L>(0x1p-19f)) + distanceError;
+            low = t - error;
+            high = t + error;
+        }
+
+    private:
+        Real<L> u, v, w, bound, minusBound, lowest, highest;
+    };
+
     template <HitMode M, class Counter>
     [[gnu::noinline]] static void arbitrateLanes(uint32_t number, uint32_t lanes, Mask<N>& active,
                                                  Real<N>& best, Search<N, M, Counter>& query) {

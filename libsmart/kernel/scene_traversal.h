@@ -6,8 +6,9 @@
 #include <type_traits>
 
 #include "libsmart/kernel/intersect.h"
-#include "libsmart/kernel/kd_traversal.h"
 #include "libsmart/kernel/precise.h"
+#include "libsmart/kernel/single_lane.h"
+#include "libsmart/kernel/wide_rays.h"
 
 namespace smart::SMART_ISA {
 
@@ -74,7 +75,8 @@ public:
 
     static void model(const ModelView& model, const Rays& rays, uint32_t lanes,
                       Query& query) {
-        if (!model.tree.nodes && !model.childTree.nodes) {
+        const bool wide = walksWide(model, query), kd = !wide && model.tree.nodes;
+        if (!wide && !kd && !model.childTree.nodes) {
             for (uint32_t i = 0; i < model.childCount; ++i)
                 child(model, i, rays, live(query, lanes), query);
             return;
@@ -82,7 +84,16 @@ public:
         RayGroups<N> groups(rays, lanes);
         RayGroup group{};
         while (groups.next(group)) {
-            if (model.tree.nodes) triangles(model, rays, group, query);
+            if constexpr (N > 1) {
+                if (!kd && __builtin_popcount(group.lanes) <= kFewRays) {
+                    oneByOne(model, rays, group.lanes, query);
+                    continue;
+                }
+            }
+            if (wide)
+                wideTriangles(model, rays, group, query);
+            else if (kd)
+                kdTriangles(model, rays, group, query);
             if (model.childTree.nodes)
                 children(model, rays, group, query);
             else
@@ -92,6 +103,16 @@ public:
     }
 
 private:
+    /// So few rays of a packet go down wide trees one by one.
+    static constexpr int kFewRays = 3;
+    /// Records of the fast mode are off by some units in the last place of the coordinates.
+    static constexpr float kPadding =
+        std::is_same_v<Precision<N>, Fast<N>> ? 0x1p-16f : kBoxPadding;
+
+    static bool walksWide(const ModelView& model, const Query& query) {
+        return (query.wideReady || !model.tree.nodes) && model.wide.nodes;
+    }
+
     static uint32_t live(const Query& query, uint32_t lanes) {
         return M == HitMode::Any ? lanes & ~query.blocked : lanes;
     }
@@ -102,6 +123,24 @@ private:
                       Real<N>(-__builtin_inff()));
     }
 
+    /// How far the best hits are away at most; boxes that begin farther away can not matter. Float
+    /// distances of what is in a box can be less than where the box begins: as much as Watertight
+    /// allows for, so that what is found does not depend on what was visited first.
+    class Horizon {
+    public:
+        Horizon(const BoxView& box, const LocalRays<N>& rays, const RayGroup& group) {
+            const int axis = group.dominantAxis;
+            slack_ = (Real<N>(box.maxAbs) + magnitude(Real<N>::load(rays.org[axis]))) *
+                     Real<N>(0x1p-15f) / magnitude(Real<N>::load(rays.dir[axis]));
+            slack_ = min(slack_, Real<N>(0x1p126f));
+        }
+        Horizon(const BoxView&, const PreciseRays<N>&, const RayGroup&) : slack_(0.0f) {}
+        Real<N> operator()(const Real<N>& best) const { return best + slack_; }
+
+    private:
+        Real<N> slack_;
+    };
+
     /// Brings the query up to date with one triangle. Any hit: takes lanes that met it out of
     /// `active`.
     static HWY_INLINE void test(const Precision<N>& precision, uint32_t triangle, Mask<N>& active,
@@ -109,65 +148,136 @@ private:
         if constexpr (std::is_same_v<Precision<N>, Precise<N>>) {
             precision.test(triangle, active, best, query);
         } else {
-            Real<N> t;
-            Mask<N> hit = precision.meet(triangle, active, t);
-            if (!any(hit)) return;
-            if constexpr (std::is_same_v<Precision<N>, Watertight<N>>)
-                hit = precision.comparable(triangle, hit, t, best, query);
-            hit = hit & (t >= Real<N>::load(query.tNear)) & (t <= best);
-            if (!any(hit)) return;
-            best = query.accept(hit, t, best, triangle);
-            if constexpr (M == HitMode::Any) {
-                active = andNot(active, hit);
-                best = select(hit, Real<N>(-__builtin_inff()), best);
-            }
+            test(precision, triangle, triangle, active, best, query);
+        }
+    }
+    /// The same for a triangle of a block, which need not be looked up.
+    static HWY_INLINE void test(const Precision<N>& precision, const TriangleBlock& block,
+                                uint32_t i, Mask<N>& active, Real<N>& best, Query& query) {
+        if constexpr (std::is_same_v<Precision<N>, Watertight<N>>) {
+            Triangle triangle;
+            block.load(i, triangle);
+            test(precision, triangle, block.number(i), active, best, query);
+        } else {
+            test(precision, block.number(i), active, best, query);
+        }
+    }
+    /// meetable: a triangle, or its number.
+    template <class Meetable>
+    static HWY_INLINE void test(const Precision<N>& precision, const Meetable& meetable,
+                                uint32_t triangle, Mask<N>& active, Real<N>& best, Query& query) {
+        Real<N> t;
+        Mask<N> hit = precision.meet(meetable, active, t);
+        if (!any(hit)) return;
+        if constexpr (std::is_same_v<Precision<N>, Watertight<N>>)
+            hit = precision.comparable(triangle, hit, t, best, query);
+        hit = hit & (t >= Real<N>::load(query.tNear)) & (t <= best);
+        if (!any(hit)) return;
+        best = query.accept(hit, t, best, triangle);
+        if constexpr (M == HitMode::Any) {
+            active = andNot(active, hit);
+            best = select(hit, Real<N>(-__builtin_inff()), best);
         }
     }
 
-    static void triangles(const ModelView& model, const Rays& rays, const RayGroup& group,
-                          Query& query) {
-        const TreeRays<N> treeRays(model.tree, rays, group);
+    static void keepBest(const Real<N>& best, uint32_t lanes, Query& query) {
+        if constexpr (M == HitMode::Closest)
+            select(Mask<N>::fromBits(lanes), best, Real<N>::load(query.best)).store(query.best);
+    }
+
+    static void kdTriangles(const ModelView& model, const Rays& rays, const RayGroup& group,
+                            Query& query) {
+        const TreeRays<N> treeRays(model.tree, rays, group, kSplitPadding);
+        const Horizon horizon(model.tree, rays, group);
         const Precision<N> precision(model, rays, group);
         Real<N> best = limits(query, group.lanes);
-        const auto leaf = [&](uint32_t first, uint32_t count, Mask<N> active) {
+        const auto leaf = [&](uint32_t first, uint32_t count, Mask<N> active) HWY_ATTR {
             const uint32_t* prims = model.tree.prims + first;
             for (uint32_t i = 0; i < count; ++i) {
                 query.counter.triangle();
                 test(precision, prims[i], active, best, query);
                 if (M == HitMode::Any && !any(active)) break;
             }
-            return best;
+            return horizon(best);
         };
-        traverseKd(model.tree, treeRays, Real<N>::load(query.tNear), best, query.counter, leaf);
-        if constexpr (M == HitMode::Closest)
-            select(Mask<N>::fromBits(group.lanes), best, Real<N>::load(query.best))
-                .store(query.best);
+        traverseKd(model.tree, treeRays, Real<N>::load(query.tNear), horizon(best), query.counter,
+                   leaf);
+        keepBest(best, group.lanes, query);
+    }
+
+    static void wideTriangles(const ModelView& model, const Rays& rays, const RayGroup& group,
+                              Query& query) {
+        const TreeRays<N> treeRays(model.wide, rays, group, kPadding);
+        const Horizon horizon(model.wide, rays, group);
+        const Precision<N> precision(model, rays, group);
+        Real<N> best = limits(query, group.lanes);
+        if constexpr (N == 1) {
+            const Real<1> near(query.tNear[0]);
+            const auto leaf = [&](uint32_t reference) HWY_ATTR {
+                const TriangleBlock block(model.wide.blocks, reference);
+                query.counter.triangle(block.count());
+                Mask<1> active{true};
+                for (uint32_t rest = precision.candidates(block, near, best); rest;
+                     rest &= rest - 1) {
+                    test(precision, block, uint32_t(lowestBit(rest)), active, best, query);
+                    if (M == HitMode::Any && !active.m) break;
+                }
+                return horizon(best).v;
+            };
+            traverseWide(model.wide.nodes, treeRays, near.v, horizon(best).v, query.counter, leaf);
+        } else {
+            const auto leaf = [&](uint32_t reference, Mask<N> active) HWY_ATTR {
+                const TriangleBlock block(model.wide.blocks, reference);
+                for (uint32_t i = 0; i < block.count(); ++i) {
+                    query.counter.triangle();
+                    test(precision, block, i, active, best, query);
+                    if (M == HitMode::Any && !any(active)) break;
+                }
+                return horizon(best);
+            };
+            traverseWide(model.wide.nodes, treeRays, Real<N>::load(query.tNear), horizon(best),
+                         query.counter, leaf);
+        }
+        keepBest(best, group.lanes, query);
     }
 
     static void children(const ModelView& model, const Rays& rays, const RayGroup& group,
                          Query& query) {
-        const TreeRays<N> treeRays(model.childTree, rays, group);
-        // A child lies in many leaves: which lanes met which child of late.
-        struct {
-            uint32_t child = kNoHit, lanes = 0;
-        } visited[16];
-        const auto leaf = [&](uint32_t first, uint32_t count, Mask<N> active) {
-            for (uint32_t i = 0; i < count; ++i) {
-                const uint32_t number = model.childTree.prims[first + i];
-                auto& seen = visited[number % 16];
-                if (seen.child != number) {
-                    seen.child = number;
-                    seen.lanes = 0;
-                }
-                const uint32_t lanes = live(query, active.bits()) & ~seen.lanes;
-                if (!lanes) continue;
-                seen.lanes |= lanes;
-                child(model, number, rays, lanes, query);
-            }
-            return limits(query, group.lanes);
+        const WideView& tree = model.childTree;
+        const TreeRays<N> treeRays(tree, rays, group, kPadding);
+        const Horizon horizon(tree, rays, group);
+        const auto enter = [&](uint32_t leaf, uint32_t lanes) HWY_ATTR {
+            const uint32_t first = (leaf & ~kWideLeaf) >> 4, count = (leaf & 15u) + 1;
+            for (uint32_t i = first; i < first + count; ++i)
+                child(model, tree.prims[i], rays, live(query, lanes), query);
+            return horizon(limits(query, group.lanes));
         };
-        traverseKd(model.childTree, treeRays, Real<N>::load(query.tNear),
-                   limits(query, group.lanes), query.counter, leaf);
+        const Real<N> far = horizon(limits(query, group.lanes));
+        if constexpr (N == 1) {
+            const auto visit = [&](uint32_t leaf) HWY_ATTR { return enter(leaf, 1).v; };
+            traverseWide(tree.nodes, treeRays, query.tNear[0], far.v, query.counter, visit);
+        } else {
+            const auto visit = [&](uint32_t leaf, Mask<N> active) HWY_ATTR {
+                return enter(leaf, active.bits());
+            };
+            traverseWide(tree.nodes, treeRays, Real<N>::load(query.tNear), far, query.counter,
+                         visit);
+        }
+    }
+
+    /// Rays of a packet that have too little in common.
+    [[gnu::noinline]] static void oneByOne(const ModelView& model, const Rays& rays,
+                                           uint32_t lanes, Query& query)
+        requires(N > 1)
+    {
+        using Alone = SceneTraversal<Precision, 1, M, Counter>;
+        for (lanes = live(query, lanes); lanes; lanes &= lanes - 1) {
+            const int lane = lowestBit(lanes);
+            typename Alone::Rays ray;
+            takeLane(rays, lane, ray);
+            LaneQuery<M, Counter> alone(query, lane);
+            Alone::model(model, ray, 1, alone.query);
+        }
     }
 
     static void child(const ModelView& parent, uint32_t number, const Rays& rays,

@@ -30,7 +30,7 @@ struct alignas(64) WorldRays {
 struct NoCounts {
     void node() {}
     void leaf() {}
-    void triangle() {}
+    void triangle(uint32_t = 1) {}
     void instance() {}
     void arbitration(bool) {}
 };
@@ -39,7 +39,7 @@ struct Counts {
     TraversalCounts* total = nullptr;
     void node() { ++total->nodes; }
     void leaf() { ++total->leaves; }
-    void triangle() { ++total->triangles; }
+    void triangle(uint32_t count = 1) { total->triangles += count; }
     void instance() { ++total->instances; }
     void arbitration(bool exact) {
         ++total->doubles;
@@ -63,6 +63,7 @@ struct alignas(64) Search {
     const WorldRays<N>* world = nullptr; ///< precise mode only
     HitList* all = nullptr;              ///< HitMode::All: where the hits go
     bool lastOfEqual = false;            ///< as ModelView has it
+    bool wideReady = false;              ///< as ModelView has it
 
     uint32_t currentPath[kMaxLevels];
     uint32_t currentLevels = 0;

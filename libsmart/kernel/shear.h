@@ -5,6 +5,7 @@
 #pragma once
 
 #include "libsmart/kernel/search.h"
+#include "libsmart/kernel/triangle_block.h"
 
 namespace smart::SMART_ISA {
 
@@ -50,6 +51,17 @@ public:
         return r;
     }
 
+    /// The triangles of a block, one a lane, in the space of the one ray.
+    HWY_INLINE Sheared<kPacketSize> operator()(const TriangleBlock& block) const
+        requires(N == 1)
+    {
+        Sheared<kPacketSize> r;
+        vertices(block, 0, r.a);
+        vertices(block, 1, r.b);
+        vertices(block, 2, r.c);
+        return r;
+    }
+
     /// Distance for each unit of depth (z).
     const Real<N>& scale() const { return sz_; }
     const Real<N>& depthOrigin() const { return oz_; }
@@ -61,6 +73,13 @@ private:
         r[2] = Real<N>(v[kz_]) - oz_;
         r[0] = (Real<N>(v[kx_]) - ox_) - sx_ * r[2];
         r[1] = (Real<N>(v[ky_]) - oy_) - sy_ * r[2];
+    }
+
+    HWY_INLINE void vertices(const TriangleBlock& block, int vertex, Real<kPacketSize>* r) const {
+        using R = Real<kPacketSize>;
+        r[2] = block.coordinate(vertex, kz_) - R(oz_.v);
+        r[0] = (block.coordinate(vertex, kx_) - R(ox_.v)) - R(sx_.v) * r[2];
+        r[1] = (block.coordinate(vertex, ky_) - R(oy_.v)) - R(sy_.v) * r[2];
     }
 
     int kx_, ky_, kz_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tiles of rays through models and the instances nested in them. What is no beam, or gains nothing
-// by being one, goes through the kd-trees packet by packet.
+// by being one, goes packet by packet.
 #pragma once
 
 #include "libsmart/kernel/scene_traversal.h"
@@ -18,20 +18,19 @@ public:
     static void model(const ModelView& model, const RayTile& tile, const TileLanes& lanes,
                       Query* query, bool more) {
         const bool several = model.childTree.nodes != nullptr;
-        if (!model.tree.nodes && !several) {
+        const bool own = model.tree.nodes || model.wide.nodes;
+        if (!own && !several) {
             for (uint32_t i = 0; i < model.childCount; ++i)
                 child(model, i, tile, live(query, lanes), query, more || i + 1 < model.childCount);
             return;
         }
-        const bool prepared = (model.wide.nodes || !model.tree.nodes) &&
-                              (model.wideChildren.nodes || !several);
-        const float maxAbs = largerOf(model.tree.nodes ? model.tree.maxAbs : 0.0f,
+        const float maxAbs = largerOf(own ? triangleBox(model).maxAbs : 0.0f,
                                       several ? model.childTree.maxAbs : 0.0f);
         TileGroups groups(tile, lanes);
         RayGroup group{};
         TileLanes same;
         while (groups.next(group, same)) {
-            if (!prepared || same.count() < kLeastRays) {
+            if ((own && !model.wide.nodes) || same.count() < kLeastRays) {
                 packets(model, tile, same, query);
                 continue;
             }
@@ -41,13 +40,13 @@ public:
                 continue;
             }
             if (model.wide.nodes) {
-                TileTraversal<Precision, M> own(model, tile, beam, group, same, query);
-                own.run();
-                own.finish(more || model.childCount > 0);
+                TileTraversal<Precision, M> triangles(model, tile, beam, group, same, query);
+                triangles.run();
+                triangles.finish(more || model.childCount > 0);
             }
             if (several) {
                 Children children(model, tile, beam, same, query);
-                traverseWide(model.wideChildren.nodes, beam, children);
+                traverseWide(model.childTree.nodes, beam, children);
             } else {
                 for (uint32_t i = 0; i < model.childCount; ++i)
                     child(model, i, tile, live(query, same), query,
@@ -117,7 +116,7 @@ private:
             for (int v = 0; v < kTileVectors; ++v)
                 if (packets >> v & 1) lanes.of[v] = active[v].bits();
             for (uint32_t i = 0; i < count; ++i)
-                child(model_, model_.wideChildren.prims[first + i], tile_, live(query_, lanes),
+                child(model_, model_.childTree.prims[first + i], tile_, live(query_, lanes),
                       query_, true);
             update();
         }

@@ -23,15 +23,19 @@ struct TriangleRecord {
     float cu, cv, cd; ///< v likewise: weight of the third
 };
 
-struct KdView {
-    const KdNode* nodes; ///< nullptr: nothing in it
-    const uint32_t* prims;
+/// What a tree spans.
+struct BoxView {
     float lo[3], hi[3];
     float maxAbs; ///< largest absolute coordinate of the box; scale of the padding
 };
 
+struct KdView : BoxView {
+    const KdNode* nodes; ///< nullptr: nothing in it, or not built
+    const uint32_t* prims;
+};
+
 /// A tree of wide nodes.
-struct WideView {
+struct WideView : BoxView {
     const WideNode* nodes; ///< nullptr: nothing in it, or not built
     const uint32_t* prims; ///< numbers of the primitives, leaf by leaf
     /// Of a tree over triangles, instead of prims: a leaf of n triangles from entry f on owns the
@@ -66,16 +70,24 @@ struct ModelView {
     const Triangle* triangles;
     const TriangleRecord* records; ///< nullptr unless a frame in fast mode asked for them
     KdView tree;
+    /// Also over the triangles. Where there is a kd-tree, set once the model has been prepared for
+    /// tiles, perhaps while rays of other scenes walk the kd-tree: see wideReady.
+    WideView wide;
     const InstanceView* children;
-    KdView childTree;
+    WideView childTree;
     /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while
     /// childTree's box still holds.
     uint32_t childCount;
-    /// For tiles of rays; set once the model has been prepared for them.
-    WideView wide;
-    WideView wideChildren; ///< over the children; empty where childTree is
+    /// Of a scene, not 0: every model that its rays may reach has been prepared, and of two trees
+    /// they walk the wide one. 0: the kd-tree, where there is one.
+    uint32_t wideReady;
     /// Of a scene, not 0: of hits at equal distance the last one counts, not the first.
     uint32_t lastOfEqual;
 };
+
+/// The box of a model's own triangles.
+inline const BoxView& triangleBox(const ModelView& model) {
+    return model.tree.nodes ? static_cast<const BoxView&>(model.tree) : model.wide;
+}
 
 } // namespace smart

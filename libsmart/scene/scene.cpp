@@ -31,6 +31,12 @@ private:
         add(model.tree);
         add(model.children);
     }
+    void add(const WideTree& tree) {
+        statistics.nodes += tree.nodes.size();
+        statistics.references += tree.prims.size();
+        for (const WideNode& node : tree.nodes)
+            for (const uint32_t child : node.child) statistics.leaves += child / kWideLeaf;
+    }
     void add(const KdTree& tree) {
         statistics.nodes += tree.nodes.size();
         statistics.references += tree.prims.size();
@@ -62,9 +68,8 @@ void Scene::prepareTiles() const {
     std::call_once(tilesOnce_, [this] {
         for (const Instance& instance : group_.instances())
             if (instance.model) instance.model->prepareTiles();
-        tileTrees_ = TileTrees({}, {}, group_);
-        tileBytes_.store(tileTrees_.bytes(), std::memory_order_relaxed);
-        tileTrees_.show(view_);
+        preparedView_ = view_;
+        preparedView_.wideReady = 1;
         tilesReady_.store(true, std::memory_order_release);
     });
 }
@@ -86,7 +91,7 @@ SceneStatistics statistics(const Scene& scene) {
     StatisticsCollector collector;
     collector.add(scene.group());
     collector.statistics.instances = scene.group().instances().size();
-    collector.statistics.bytes += sizeof(Scene) + scene.group().bytes() + scene.tileBytes();
+    collector.statistics.bytes += sizeof(Scene) + scene.group().bytes();
     return collector.statistics;
 }
 

@@ -29,23 +29,23 @@ public:
     bool readyForTiles(uint64_t rays) const;
     /// Makes it at once.
     void prepareTiles() const;
-    /// Bytes of the scene's own share of it; what models hold counts with them.
-    std::size_t tileBytes() const { return tileBytes_.load(std::memory_order_relaxed); }
 
     const InstanceGroup& group() const { return group_; }
-    const ModelView& view() const { return view_; }
+    /// Once tiles may be traced, rays of any kind walk what they walk: ModelView::wideReady.
+    const ModelView& view() const {
+        return tilesReady_.load(std::memory_order_acquire) ? preparedView_ : view_;
+    }
     Precision precision() const { return precision_; }
     double buildSeconds() const { return buildSeconds_; } ///< of the top level
 
 private:
     InstanceGroup group_;
-    mutable ModelView view_{};
+    ModelView view_{};
+    mutable ModelView preparedView_{}; ///< once tilesReady_
     mutable std::once_flag tilesOnce_, tilesPayOnce_;
     mutable std::atomic<bool> tilesReady_{false};
     mutable std::atomic<uint64_t> tileRays_{0};
     mutable uint64_t tilesPay_ = 0; ///< from so many rays on
-    mutable TileTrees tileTrees_;
-    mutable std::atomic<std::size_t> tileBytes_{0};
     Precision precision_;
     double buildSeconds_ = 0;
 };
