@@ -102,45 +102,6 @@ public:
         }
     }
 
-private:
-    /// So few rays of a packet go down wide trees one by one.
-    static constexpr int kFewRays = 3;
-    /// Records of the fast mode are off by some units in the last place of the coordinates.
-    static constexpr float kPadding =
-        std::is_same_v<Precision<N>, Fast<N>> ? 0x1p-16f : kBoxPadding;
-
-    static bool walksWide(const ModelView& model, const Query& query) {
-        return (query.wideReady || !model.tree.nodes) && model.wide.nodes;
-    }
-
-    static uint32_t live(const Query& query, uint32_t lanes) {
-        return M == HitMode::Any ? lanes & ~query.blocked : lanes;
-    }
-
-    /// Far limits of the lanes given: none for the others, nor for blocked ones.
-    static Real<N> limits(const Query& query, uint32_t lanes) {
-        return select(Mask<N>::fromBits(live(query, lanes)), Real<N>::load(query.best),
-                      Real<N>(-__builtin_inff()));
-    }
-
-    /// How far the best hits are away at most; boxes that begin farther away can not matter. Float
-    /// distances of what is in a box can be less than where the box begins: as much as Watertight
-    /// allows for, so that what is found does not depend on what was visited first.
-    class Horizon {
-    public:
-        Horizon(const BoxView& box, const LocalRays<N>& rays, const RayGroup& group) {
-            const int axis = group.dominantAxis;
-            slack_ = (Real<N>(box.maxAbs) + magnitude(Real<N>::load(rays.org[axis]))) *
-                     Real<N>(0x1p-15f) / magnitude(Real<N>::load(rays.dir[axis]));
-            slack_ = min(slack_, Real<N>(0x1p126f));
-        }
-        Horizon(const BoxView&, const PreciseRays<N>&, const RayGroup&) : slack_(0.0f) {}
-        Real<N> operator()(const Real<N>& best) const { return best + slack_; }
-
-    private:
-        Real<N> slack_;
-    };
-
     /// Brings the query up to date with one triangle. Any hit: takes lanes that met it out of
     /// `active`.
     static HWY_INLINE void test(const Precision<N>& precision, uint32_t triangle, Mask<N>& active,
@@ -180,6 +141,28 @@ private:
         }
     }
 
+    /// Records of the fast mode are off by some units in the last place of the coordinates.
+    static constexpr float kPadding =
+        std::is_same_v<Precision<N>, Fast<N>> ? 0x1p-16f : kBoxPadding;
+
+private:
+    /// So few rays of a packet go down wide trees one by one.
+    static constexpr int kFewRays = 3;
+
+    static bool walksWide(const ModelView& model, const Query& query) {
+        return (query.wideReady || !model.tree.nodes) && model.wide.nodes;
+    }
+
+    static uint32_t live(const Query& query, uint32_t lanes) {
+        return M == HitMode::Any ? lanes & ~query.blocked : lanes;
+    }
+
+    /// Far limits of the lanes given: none for the others, nor for blocked ones.
+    static Real<N> limits(const Query& query, uint32_t lanes) {
+        return select(Mask<N>::fromBits(live(query, lanes)), Real<N>::load(query.best),
+                      Real<N>(-__builtin_inff()));
+    }
+
     static void keepBest(const Real<N>& best, uint32_t lanes, Query& query) {
         if constexpr (M == HitMode::Closest)
             select(Mask<N>::fromBits(lanes), best, Real<N>::load(query.best)).store(query.best);
@@ -188,7 +171,7 @@ private:
     static void kdTriangles(const ModelView& model, const Rays& rays, const RayGroup& group,
                             Query& query) {
         const TreeRays<N> treeRays(model.tree, rays, group, kSplitPadding);
-        const Horizon horizon(model.tree, rays, group);
+        const Horizon<N> horizon(model.tree, rays, group);
         const Precision<N> precision(model, rays, group);
         Real<N> best = limits(query, group.lanes);
         const auto leaf = [&](uint32_t first, uint32_t count, Mask<N> active) HWY_ATTR {
@@ -208,7 +191,7 @@ private:
     static void wideTriangles(const ModelView& model, const Rays& rays, const RayGroup& group,
                               Query& query) {
         const TreeRays<N> treeRays(model.wide, rays, group, kPadding);
-        const Horizon horizon(model.wide, rays, group);
+        const Horizon<N> horizon(model.wide, rays, group);
         const Precision<N> precision(model, rays, group);
         Real<N> best = limits(query, group.lanes);
         if constexpr (N == 1) {
@@ -245,7 +228,7 @@ private:
                          Query& query) {
         const WideView& tree = model.childTree;
         const TreeRays<N> treeRays(tree, rays, group, kPadding);
-        const Horizon horizon(tree, rays, group);
+        const Horizon<N> horizon(tree, rays, group);
         const auto enter = [&](uint32_t leaf, uint32_t lanes) HWY_ATTR {
             const uint32_t first = (leaf & ~kWideLeaf) >> 4, count = (leaf & 15u) + 1;
             for (uint32_t i = first; i < first + count; ++i)

@@ -11,7 +11,7 @@
 // precise mode takes nothing for a hit that is none: its padding (PrecisePadding) stays.
 //
 // In what order boxes are visited differs between rays alone and in packets. Hits do not depend on
-// it: see SceneTraversal::horizon.
+// it: see Horizon.
 #pragma once
 
 #include "libsmart/kernel/kd_traversal.h"
@@ -20,10 +20,30 @@ namespace smart::SMART_ISA {
 
 inline constexpr float kBoxPadding = 0x1.8p-20f;
 
+/// How far away boxes may begin that can still matter, where the best hits are at `best`: the float
+/// distance of what is in a box can be less than where the box begins. As much is added as
+/// Watertight allows for when it compares distances, and as much again; then what is found does
+/// not depend on what was visited first.
+template <int N>
+class Horizon {
+public:
+    Horizon(const BoxView& box, const LocalRays<N>& rays, const RayGroup& group) {
+        const int axis = group.dominantAxis;
+        slack_ = (Real<N>(box.maxAbs) + magnitude(Real<N>::load(rays.org[axis]))) *
+                 Real<N>(0x1p-15f) / magnitude(Real<N>::load(rays.dir[axis]));
+        slack_ = min(slack_, Real<N>(0x1p126f)); // -infinity must stay that
+    }
+    Horizon(const BoxView&, const PreciseRays<N>&, const RayGroup&) : slack_(0.0f) {}
+    Real<N> operator()(const Real<N>& best) const { return best + slack_; }
+
+private:
+    Real<N> slack_;
+};
+
 /// Which boxes of a node a ray meets between `near` and `far`, and from what distance on. Places
 /// without a child are none of them, whatever the ray.
-HWY_INLINE uint32_t meetBoxes(const WideNode& node, const TreeRays<1>& ray, float near, float far,
-                              Real<kPacketSize>& from) {
+HWY_INLINE Mask<kPacketSize> meetBoxes(const WideNode& node, const TreeRays<1>& ray, float near,
+                                       float far, Real<kPacketSize>& from) {
     using R = Real<kPacketSize>;
     R to(far);
     from = R(near);
@@ -36,7 +56,7 @@ HWY_INLINE uint32_t meetBoxes(const WideNode& node, const TreeRays<1>& ray, floa
         to = min(to, (last - R(ray.leaveOrg[k].v)) * reciprocal);
     }
     const auto used = R::load(node.lo[0]) <= R::load(node.hi[0]);
-    return (used & (from <= to)).bits();
+    return used & (from <= to);
 }
 
 /// Visits the leaves that a ray may meet, nearest boxes first. visit(leaf) -> how far the ray looks
@@ -59,7 +79,7 @@ void traverseWide(const WideNode* nodes, const TreeRays<1>& ray, float near, flo
             counter.node();
             const WideNode& node = nodes[child];
             Real<kPacketSize> entered;
-            uint32_t hits = meetBoxes(node, ray, near, far, entered);
+            uint32_t hits = meetBoxes(node, ray, near, far, entered).bits();
             if (hits) {
                 const int first = lowestBit(hits);
                 hits &= hits - 1;
@@ -109,8 +129,8 @@ public:
         }
     }
 
-    HWY_INLINE uint32_t meetBoxes(const WideNode& node, float near, float far,
-                                  Real<N>& from) const {
+    HWY_INLINE Mask<N> meetBoxes(const WideNode& node, float near, float far,
+                                 Real<N>& from) const {
         Real<N> to(far);
         from = Real<N>(near);
         for (int k = 0; k < 3; ++k) {
@@ -124,7 +144,7 @@ public:
             to = min(to, max(last * slow, last * fast));
         }
         const auto used = Real<N>::load(node.lo[0]) <= Real<N>::load(node.hi[0]);
-        return (used & (from <= to)).bits();
+        return used & (from <= to);
     }
 
 private:
@@ -173,7 +193,7 @@ void traverseWide(const WideNode* nodes, const TreeRays<kPacketSize>& rays,
         const WideNode& node = nodes[index];
         Real<N> entered;
         alignas(64) float from[N];
-        uint32_t hits = span.meetBoxes(node, nearest, farthest, entered);
+        uint32_t hits = span.meetBoxes(node, nearest, farthest, entered).bits();
         entered.store(from);
         const int base = top;
         for (; hits; hits &= hits - 1) {

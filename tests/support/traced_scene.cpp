@@ -33,6 +33,14 @@ TracedScene::TracedScene(std::vector<Instance> instances, Precision precision)
     }
 }
 
+ModelView TracedScene::wideView() const {
+    for (const Instance& instance : scene_.group().instances())
+        if (instance.model) instance.model->prepareTiles();
+    ModelView view = scene_.view();
+    view.wideReady = 1;
+    return view;
+}
+
 void TracedScene::addToReference(const Instance& instance, std::vector<uint32_t>& path,
                                  std::vector<Matrix34>& chain) {
     const bool identity = instance.toParent == glm::dmat4x3(1.0);

@@ -26,6 +26,8 @@ public:
                          Precision precision = Precision::Watertight);
 
     const ModelView& view() const { return scene_.view(); }
+    /// The same with wide trees in all models, which rays prefer to kd-trees.
+    ModelView wideView() const;
     const Scene& scene() const { return scene_; }
     const ExactReference& reference() const { return reference_; }
     /// The hit in the reference's numbers; a path that does not exist gives a number out of range.

@@ -14,7 +14,8 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-std::set<uint32_t> referenced(const KdTree& tree) {
+template <class Tree>
+std::set<uint32_t> referenced(const Tree& tree) {
     return {tree.prims.begin(), tree.prims.end()};
 }
 

@@ -81,6 +81,7 @@ TEST(AllHits, EachTriangleThatIsMetAlone) {
     const SoupScene soup;
     for (const Precision precision : {Precision::Fast, Precision::Watertight, Precision::Precise}) {
         const TracedScene scene(soup.instances, precision);
+        const ModelView views[] = {scene.view(), scene.wideView()};
         std::vector<std::unique_ptr<const Scene>> alone; // copy by copy
         for (uint32_t copy = 0; copy < 3; ++copy)
             for (const Triangle& triangle : soup.triangles)
@@ -99,8 +100,9 @@ TEST(AllHits, EachTriangleThatIsMetAlone) {
                         expected[soup.nameOf(copy, i)] = {hit.t, hit.u, hit.v};
                 }
             for (const KernelTable* kernels : availableKernels())
-                EXPECT_EQ(allHits(*kernels, precision, scene.view(), ray), expected)
-                    << kernels->name << ' ' << int(precision);
+                for (const ModelView& view : views)
+                    EXPECT_EQ(allHits(*kernels, precision, view, ray), expected)
+                        << kernels->name << ' ' << int(precision) << ' ' << view.wideReady;
             hits += expected.size();
             most = std::max(most, expected.size());
         }

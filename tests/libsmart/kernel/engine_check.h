@@ -12,11 +12,10 @@
 
 namespace smart::test {
 
-/// All tables, packets full and sparse, and single rays: the same bits; any hit as closest hit.
-/// Returns the hits.
-inline std::vector<Hit> traceAllWays(const ModelView& view, std::span<const Ray> rays,
-                                     Precision precision = Precision::Watertight) {
-    std::vector<Hit> first;
+/// All tables, packets full and sparse, and single rays: the bits of `first`, or, where that is
+/// empty, the same bits as each other; any hit as closest hit.
+inline void traceAllWays(const ModelView& view, std::span<const Ray> rays, Precision precision,
+                         std::vector<Hit>& first) {
     for (const KernelTable* kernels : availableKernels()) {
         SCOPED_TRACE(kernels->name);
         const std::vector<Hit> full = tracePackets(*kernels, precision, view, rays, Filling::Full);
@@ -42,7 +41,23 @@ inline std::vector<Hit> traceAllWays(const ModelView& view, std::span<const Ray>
         EXPECT_EQ(unlike[1], 0u) << "any hit, sparse packets";
         EXPECT_EQ(unlike[2], 0u) << "any hit, single rays";
     }
-    return first;
+}
+
+/// Returns the hits.
+inline std::vector<Hit> traceAllWays(const ModelView& view, std::span<const Ray> rays,
+                                     Precision precision = Precision::Watertight) {
+    std::vector<Hit> hits;
+    traceAllWays(view, rays, precision, hits);
+    return hits;
+}
+
+/// The same in kd-trees and in wide trees.
+inline std::vector<Hit> traceAllWays(const TracedScene& scene, std::span<const Ray> rays,
+                                     Precision precision = Precision::Watertight) {
+    std::vector<Hit> hits = traceAllWays(scene.view(), rays, precision);
+    SCOPED_TRACE("wide trees");
+    traceAllWays(scene.wideView(), rays, precision, hits);
+    return hits;
 }
 
 /// traceAllWays, judged by the exact reference: nothing wrong, t within 16 ulp, u and v within
@@ -51,7 +66,7 @@ inline VerdictCounts checkWatertight(const TracedScene& scene, std::span<const R
                                      const std::string& name) {
     SCOPED_TRACE(name);
     const std::vector<ExactAnswer> truth = scene.truth(rays);
-    const std::vector<Hit> hits = traceAllWays(scene.view(), rays);
+    const std::vector<Hit> hits = traceAllWays(scene, rays);
     const VerdictCounts counts = scene.judgeAll(rays, truth, hits);
     EXPECT_EQ(counts.wrong(), 0u) << counts;
     EXPECT_LE(counts.worstT, 16) << counts;

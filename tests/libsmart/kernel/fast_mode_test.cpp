@@ -13,7 +13,7 @@ namespace {
 VerdictCounts judgeFast(const std::vector<Triangle>& mesh, std::span<const Ray> rays) {
     const TracedScene scene(mesh, Precision::Fast);
     return scene.judgeAll(rays, scene.truth(rays),
-                          traceAllWays(scene.view(), rays, Precision::Fast));
+                          traceAllWays(scene, rays, Precision::Fast));
 }
 
 TEST(FastMode, InteriorsAreRight) {

@@ -125,7 +125,7 @@ TEST(Instances, NestedToEveryDepth) {
         // Each level adds its own triangles and places the level below twice.
         const TracedScene scene({place(model, affine(moved(0.5, 0.25, -1) * rotated(0.5)))});
         const auto rays = aimedAtWorld(scene, rayCount(800), uint64_t(34 + levels));
-        const auto hits = traceAllWays(scene.view(), rays);
+        const auto hits = traceAllWays(scene, rays);
         uint32_t deepest = 0;
         for (const Hit& hit : hits) {
             if (hit.triangle != kNoHit) deepest = std::max(deepest, hit.levels);
@@ -148,7 +148,7 @@ TEST(Instances, EqualDistancesGoToTheLowestPath) {
     const auto rays = raysFromOutside(mesh, 1, rayCount(2000), Target::Interior, Aim::Rounded, 40);
     {
         const TracedScene scene({place(model), place(model), place(model)});
-        for (const Hit& hit : traceAllWays(scene.view(), rays)) {
+        for (const Hit& hit : traceAllWays(scene, rays)) {
             ASSERT_NE(hit.triangle, kNoHit);
             ASSERT_EQ(hit.levels, 1u);
             ASSERT_EQ(hit.path[0], 0u);
@@ -157,7 +157,7 @@ TEST(Instances, EqualDistancesGoToTheLowestPath) {
     { // A model's own triangles come before its children, whatever the numbers.
         const ModelPtr parent = makeModel(mesh, {place(model), place(model)});
         const TracedScene scene({place(parent), place(model)});
-        for (const Hit& hit : traceAllWays(scene.view(), rays)) {
+        for (const Hit& hit : traceAllWays(scene, rays)) {
             ASSERT_EQ(hit.levels, 1u);
             ASSERT_EQ(hit.path[0], 0u);
         }
@@ -165,7 +165,7 @@ TEST(Instances, EqualDistancesGoToTheLowestPath) {
     {
         const ModelPtr parent = makeModel({}, {place(model), place(model)});
         const TracedScene scene({place(parent), place(model)});
-        for (const Hit& hit : traceAllWays(scene.view(), rays)) {
+        for (const Hit& hit : traceAllWays(scene, rays)) {
             ASSERT_EQ(hit.levels, 2u);
             ASSERT_EQ(hit.path[0], 0u);
             ASSERT_EQ(hit.path[1], 0u);
@@ -183,7 +183,7 @@ TEST(Instances, SingularAndInfiniteOnesKeepTheirNumberAndAreNeverHit) {
     const TracedScene scene({place(model, affine(scaled(1, 1, 0))), place(model, infinite),
                              place(model, undefined), place(makeModel({})), place(model)});
     const auto rays = raysFromOutside(mesh, 1, rayCount(500), Target::Edge, Aim::Rounded, 41);
-    for (const Hit& hit : traceAllWays(scene.view(), rays)) {
+    for (const Hit& hit : traceAllWays(scene, rays)) {
         ASSERT_NE(hit.triangle, kNoHit);
         ASSERT_EQ(hit.path[0], 4u);
     }

@@ -69,7 +69,7 @@ inline Differences checkPrecise(const TracedScene& scene, std::span<const Ray> r
                                 const std::string& name) {
     SCOPED_TRACE(name);
     const Differences differences =
-        compareAll(scene, rays, traceAllWays(scene.view(), rays, Precision::Precise));
+        compareAll(scene, rays, traceAllWays(scene, rays, Precision::Precise));
     EXPECT_EQ(differences.all(), 0u) << differences;
     std::cout << "    " << name << ": " << differences << '\n';
     return differences;

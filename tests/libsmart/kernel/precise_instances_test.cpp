@@ -146,7 +146,7 @@ TEST(PreciseInstances, EqualDistancesOfDifferentPathsGoToTheLowest) {
         const TracedScene scene(std::move(instances));
         const auto rays = aimedAtWorld(scene, rayCount(300), 36);
         EXPECT_GT(checkPrecise(scene, rays, "two ways").hits, rays.size() / 2);
-        for (const Hit& hit : traceAllWays(scene.view(), rays, Precision::Precise)) {
+        for (const Hit& hit : traceAllWays(scene, rays, Precision::Precise)) {
             if (hit.triangle != kNoHit) {
                 ASSERT_EQ(hit.path[0], 0u);
             }
@@ -166,7 +166,7 @@ TEST(PreciseInstances, OrdersSurfacesOneUlpOfADoubleApart) {
         const double origin[3] = {random.between(-1, 1), random.between(-1, 1), 9};
         rays.push_back(makeRay(origin, target, Aim::Normalised));
     }
-    for (const Hit& hit : traceAllWays(scene.view(), rays, Precision::Precise)) {
+    for (const Hit& hit : traceAllWays(scene, rays, Precision::Precise)) {
         ASSERT_NE(hit.triangle, kNoHit);
         ASSERT_EQ(hit.path[0], 1u);
     }

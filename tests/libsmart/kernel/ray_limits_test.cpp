@@ -35,7 +35,7 @@ Ray through(float tNear, float tFar) {
 float distance(const Ray& ray) {
     // Among ordinary rays in a packet, and alone.
     const std::vector<Ray> rays = {ray, through(0, kInf), ray, through(0, 5), ray, ray};
-    const std::vector<Hit> hits = traceAllWays(box().view(), rays);
+    const std::vector<Hit> hits = traceAllWays(box(), rays);
     EXPECT_EQ(hits[1].t, 4);
     EXPECT_TRUE(sameHit(hits[1], hits[3]));
     EXPECT_TRUE(sameHit(hits[0], hits[2]) && sameHit(hits[0], hits[5]));
@@ -109,7 +109,7 @@ TEST(RayLimits, NoValueCrashesOrHangs) {
         ray.tFar = any();
     }
     const TracedScene room(closedRoom());
-    traceAllWays(room.view(), rays);
+    traceAllWays(room, rays);
 }
 
 TEST(RayLimits, RandomLimitsAsExact) {

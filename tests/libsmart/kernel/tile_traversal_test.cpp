@@ -36,8 +36,10 @@ struct Disagreement {
 
 Disagreement compare(const KernelTable& kernels, Precision precision, const ModelView& view,
                      std::span<const Ray> rays, Filling filling) {
-    const std::vector<Hit> truth = traceSingles(kernels, precision, view, rays);
-    const std::vector<uint8_t> blocked = blockedSingles(kernels, precision, view, rays);
+    ModelView kd = view;
+    kd.wideReady = 0;
+    const std::vector<Hit> truth = traceSingles(kernels, precision, kd, rays);
+    const std::vector<uint8_t> blocked = blockedSingles(kernels, precision, kd, rays);
     const std::vector<uint8_t> tiles = blockedTiles(kernels, precision, view, rays, filling);
     Disagreement result;
     result.rays = rays.size();
@@ -133,6 +135,7 @@ public:
     explicit Damaged(const Scene& scene)
         : model_(*scene.view().children[0].model), instance_(scene.view().children[0]),
           view_(scene.view()) {
+        view_.wideReady = 0;
         const WideNode& root = model_.wide.nodes[0];
         // Nodes refer to each other by number, so that all are copied.
         uint32_t last = 0;

@@ -113,7 +113,7 @@ TEST(Traversal, LosesNothingAtAnyScaleAndOffset) {
             for (int k = 0; k < 3; ++k) ray.org[k] = float(ray.org[k] + by[k]);
         }
         const VerdictCounts counts =
-            scene.judgeAll(rays, scene.truth(rays), traceAllWays(scene.view(), rays));
+            scene.judgeAll(rays, scene.truth(rays), traceAllWays(scene, rays));
         EXPECT_EQ(counts.lost(), 0u)
             << counts; // at 1e5 the mesh itself is coarse: count leaks only
         std::cout << "    offset " << offset << ": " << counts << '\n';
@@ -165,15 +165,15 @@ TEST(Traversal, EqualDistancesGoToTheLowestTriangle) {
     twice.insert(twice.end(), mesh.begin(), mesh.end());
     const TracedScene scene(twice);
     const auto rays = raysFromOutside(mesh, 1, rayCount(2000), Target::Interior, Aim::Rounded, 15);
-    for (const Hit& hit : traceAllWays(scene.view(), rays)) ASSERT_LT(hit.triangle, mesh.size());
+    for (const Hit& hit : traceAllWays(scene, rays)) ASSERT_LT(hit.triangle, mesh.size());
 }
 
 TEST(Traversal, EmptySceneIsMissed) {
     const auto rays = randomRays(icosphere(0), 50, 16);
     const TracedScene nothing{std::vector<Instance>{}};
-    for (const Hit& hit : traceAllWays(nothing.view(), rays)) ASSERT_EQ(hit.triangle, kNoHit);
+    for (const Hit& hit : traceAllWays(nothing, rays)) ASSERT_EQ(hit.triangle, kNoHit);
     const TracedScene empty{std::vector<Triangle>{}};
-    for (const Hit& hit : traceAllWays(empty.view(), rays)) ASSERT_EQ(hit.triangle, kNoHit);
+    for (const Hit& hit : traceAllWays(empty, rays)) ASSERT_EQ(hit.triangle, kNoHit);
 }
 
 } // namespace
