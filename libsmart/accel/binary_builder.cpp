@@ -14,9 +14,9 @@ constexpr uint32_t kSubtreeSize = 8192;
 /// Below, ranges are halved: 2^28 references in 28 levels, one more for nodes made of groups.
 constexpr int kSplitDepth = kWideMaxDepth - 30;
 
-/// Stich's alpha: spatial splits are tried where the children of an object split have so much
-/// of the whole scene in common.
-constexpr float kOverlap = 1e-5f;
+/// Spatial splits are tried where the children of an object split have so much in common: of the
+/// whole scene, which is Stich's alpha, and of the range itself.
+constexpr float kOverlapOfAll = 1e-5f, kOverlapOfRange = 0.1f;
 
 std::size_t partsOf(std::size_t count) { return (count + kSubtreeSize - 1) / kSubtreeSize; }
 
@@ -130,7 +130,10 @@ bool BinaryBuilder::wantsSpatial(const Range& range, const ObjectSplit& split) c
     if (!vertices_ || range.extra() == 0) return false;
     if (!split.exists()) return true;
     const Box4 both(greaterOf(split.left.lo, split.right.lo), lesserOf(split.left.hi, split.right.hi));
-    return !both.empty() && costs_.measure().share(both) > kOverlap;
+    if (both.empty()) return false;
+    const float overlap = costs_.measure().share(both);
+    return overlap > kOverlapOfAll &&
+           overlap > kOverlapOfRange * costs_.measure().share(range.bounds.box);
 }
 
 void BinaryBuilder::place(const Range& range, uint32_t leftCount, uint32_t rightCount, Range& left,
@@ -165,7 +168,7 @@ void BinaryBuilder::divide(const Range& range, Workplace& work, Range& left, Ran
     CentreBins centres;
     const ObjectSplit split = findObjectSplit(all, range.bounds.centres, costs_.measure(), centres);
     if (wantsSpatial(range, split)) {
-        const SpacePlanes planes(range.bounds.box);
+        const SpacePlanes planes(range.bounds.box, range.count);
         SpatialBins parts;
         parts.add(all, vertices_, planes);
         const SpatialSplit spatial = parts.best(planes, costs_.measure(), range.extra());
@@ -227,7 +230,7 @@ void BinaryBuilder::divideByAll(const Range& range, BuildCrew& crew, Range& left
         divided = leftCount > 0 && rightCount > 0;
     };
     if (wantsSpatial(range, split)) {
-        const SpacePlanes planes(range.bounds.box);
+        const SpacePlanes planes(range.bounds.box, range.count);
         std::vector<SpatialBins> spatialBins(parts);
         crew.forEach(parts, [&](std::size_t i) {
             spatialBins[i].add(part(i), vertices_, planes);

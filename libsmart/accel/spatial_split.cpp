@@ -18,12 +18,13 @@ Box4 common(const Box4& a, const Box4& b) {
 
 } // namespace
 
-SpacePlanes::SpacePlanes(const Box4& box)
-    : low_(box.lo), width_(allOf(0.0f)), scale_(allOf(0.0f)) {
+SpacePlanes::SpacePlanes(const Box4& box, std::size_t references)
+    : low_(box.lo), width_(allOf(0.0f)), scale_(allOf(0.0f)),
+      bins_(references < 16 ? 4 : references < 256 ? 8 : kMostBins) {
     low_[3] = 0;
     for (int k = 0; k < 3; ++k) {
         const float extent = box.hi[k] - box.lo[k];
-        const float scale = float(kBins) * 0.9999f / extent;
+        const float scale = float(bins_) * 0.9999f / extent;
         if (!(extent < Aabb::kInf) || !(scale < Aabb::kInf)) continue;
         scale_[k] = scale;
         width_[k] = 1.0f / scale;
@@ -59,17 +60,14 @@ void SpatialBins::addParts(const BoxReference& reference, TriangleVertices verti
         if (begin <= a[axis] && a[axis] <= end) parts[planes.binsOf(a)[axis]].add(a);
         const float low = std::min(a[axis], b[axis]), high = std::max(a[axis], b[axis]);
         if (!(low < high)) continue;
-        const float inverse = 1.0f / (b[axis] - a[axis]);
-        const auto crossing = [&](float plane) {
-            const float t = std::clamp((plane - a[axis]) * inverse, 0.0f, 1.0f);
-            return a + (b - a) * allOf(t);
-        };
+        const Float4 step = (b - a) * allOf(1.0f / (b[axis] - a[axis]));
+        const auto crossing = [&](float plane) { return a + step * allOf(plane - a[axis]); };
         if (low < begin && begin < high) parts[first].add(crossing(begin));
         if (low < end && end < high) parts[last].add(crossing(end));
-        for (int k = first + 1; k <= last; ++k) {
-            const float plane = planes.plane(axis, k);
-            if (!(low <= plane && plane <= high)) continue;
-            const Float4 point = crossing(plane);
+        const int firstPlane = low > begin ? planes.binsOf(allOf(low))[axis] + 1 : first + 1;
+        const int lastPlane = high < end ? planes.binsOf(allOf(high))[axis] : last;
+        for (int k = firstPlane; k <= lastPlane; ++k) {
+            const Float4 point = crossing(planes.plane(axis, k));
             parts[k - 1].add(point);
             parts[k].add(point);
         }
@@ -99,7 +97,7 @@ SpatialSplit SpatialBins::best(const SpacePlanes& planes, const BoxMeasure& meas
         uint32_t rightCounts[kBins];
         Box4 box;
         uint32_t n = 0;
-        for (int i = kBins - 1; i > 0; --i) {
+        for (int i = planes.bins() - 1; i > 0; --i) {
             box.add(boxes_[axis][i]);
             n += end_[axis][i];
             rightBoxes[i] = box;
@@ -108,7 +106,7 @@ SpatialSplit SpatialBins::best(const SpacePlanes& planes, const BoxMeasure& meas
         const uint32_t all = n + end_[axis][0];
         box = Box4();
         n = 0;
-        for (int i = 1; i < kBins; ++i) {
+        for (int i = 1; i < planes.bins(); ++i) {
             box.add(boxes_[axis][i - 1]);
             n += begin_[axis][i - 1];
             const uint32_t right = rightCounts[i];

@@ -15,18 +15,21 @@ using TriangleVertices = const float*;
 /// Equal bins between two ends of each axis; the planes between them may cut triangles.
 class SpacePlanes {
 public:
-    static constexpr int kBins = 16;
-    explicit SpacePlanes(const Box4& box);
+    static constexpr int kMostBins = 16;
+    /// Fewer bins for few references.
+    SpacePlanes(const Box4& box, std::size_t references);
+    int bins() const { return bins_; }
     bool divides(int axis) const { return scale_[axis] > 0; }
     float plane(int axis, int i) const { return low_[axis] + width_[axis] * float(i); }
     /// Bin of each coordinate.
     Int4 binsOf(Float4 point) const {
         const Float4 place = (point - low_) * scale_;
-        return toIntegers(greaterOf(lesserOf(place, allOf(float(kBins - 1))), allOf(0.0f)));
+        return toIntegers(greaterOf(lesserOf(place, allOf(float(bins_ - 1))), allOf(0.0f)));
     }
 
 private:
     Float4 low_, width_, scale_;
+    int bins_;
 };
 
 /// A plane at which triangles are cut in two.
@@ -51,7 +54,7 @@ public:
                       std::size_t extra) const;
 
 private:
-    static constexpr int kBins = SpacePlanes::kBins;
+    static constexpr int kBins = SpacePlanes::kMostBins;
     void addParts(const BoxReference& reference, TriangleVertices vertices,
                   const SpacePlanes& planes, int axis, int first, int last);
 

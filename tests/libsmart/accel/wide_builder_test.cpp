@@ -1,115 +1,127 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <string>
 
-#include "libsmart/accel/wide_tree.h"
-#include "tests/support/ray_sets.h"
+#include "tests/libsmart/accel/wide_tree_check.h"
 
-namespace smart {
 namespace {
 
-/// Walks a whole tree and counts what is wrong with it.
-class TreeCheck {
-public:
-    TreeCheck(const WideTree& tree, const std::vector<Aabb>& boxes)
-        : tree_(tree), boxes_(boxes), seen_(boxes.size()) {
-        if (!tree.nodes.empty()) visit(0, tree.bounds, 1);
-        for (std::size_t i = 0; i < boxes.size(); ++i)
-            mistakes_ += seen_[i] != (boxes[i].empty() ? 0 : 1);
-    }
-    std::size_t mistakes() const { return mistakes_; }
-    int depth() const { return depth_; }
+/// Allocations that may still succeed; below 0: all.
+std::atomic<long> gAllocations{-1};
+std::atomic<long> gHeld{0};
 
-private:
-    static bool holds(const Aabb& outer, const Aabb& inner) {
-        for (int k = 0; k < 3; ++k)
-            if (!(outer.lo[k] <= inner.lo[k] && inner.hi[k] <= outer.hi[k])) return false;
-        return true;
+} // namespace
+
+void* operator new(std::size_t size) {
+    if (gAllocations.load() >= 0 && gAllocations.fetch_sub(1) <= 0) {
+        gAllocations = 0;
+        throw std::bad_alloc();
     }
-    void visit(uint32_t number, const Aabb& outer, int depth) {
-        if (number >= tree_.nodes.size() || depth > kWideMaxDepth) {
-            ++mistakes_;
+    void* const memory = std::malloc(size ? size : 1);
+    if (!memory) throw std::bad_alloc();
+    ++gHeld;
+    return memory;
+}
+void operator delete(void* memory) noexcept {
+    if (memory) --gHeld;
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+
+namespace smart::test {
+namespace {
+
+using Build = WideTree (*)(std::span<const Aabb>, unsigned, const WideCosts&);
+
+struct Builder {
+    const char* name;
+    Build build;
+};
+WideTree buildCut(std::span<const Aabb> boxes, unsigned threads, const WideCosts& costs) {
+    // Triangles that fill their boxes from corner to corner.
+    std::vector<float> vertices;
+    for (const Aabb& box : boxes)
+        vertices.insert(vertices.end(), {box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1],
+                                         box.lo[2], box.lo[0], box.hi[1], box.hi[2]});
+    return buildWideTreeSpatial(boxes, vertices.data(), threads, costs);
+}
+
+class WideBuilder : public ::testing::TestWithParam<Builder> {
+protected:
+    static bool cuts() { return GetParam().build == buildCut; }
+    static WideTree build(const std::vector<Aabb>& boxes, unsigned threads = 1,
+                          const WideCosts& costs = kTriangleCosts) {
+        return GetParam().build(boxes, threads, costs);
+    }
+    static void expectSound(const std::vector<Aabb>& boxes, const std::string& name,
+                            const WideCosts& costs = kTriangleCosts) {
+        const WideTree tree = build(boxes, 1, costs);
+        if (!cuts()) {
+            const WideTreeCheck check(tree, boxes);
+            EXPECT_EQ(check.mistakes(), 0u) << name;
+            EXPECT_LE(check.depth(), kWideMaxDepth) << name;
             return;
         }
-        depth_ = std::max(depth_, depth);
-        const WideNode& node = tree_.nodes[number];
-        for (int slot = 0; slot < kWideChildren; ++slot) {
-            Aabb box;
-            for (int k = 0; k < 3; ++k) {
-                box.lo[k] = node.lo[k][slot];
-                box.hi[k] = node.hi[k][slot];
-            }
-            if (box.empty()) continue;
-            mistakes_ += !holds(outer, box);
-            const uint32_t child = node.child[slot];
-            if (!(child & kWideLeaf)) {
-                visit(child, box, depth + 1);
-                continue;
-            }
-            const uint32_t first = (child & ~kWideLeaf) >> 4, count = (child & 15u) + 1;
-            for (uint32_t i = first; i < first + count; ++i) {
-                if (i >= tree_.prims.size() || tree_.prims[i] >= boxes_.size()) {
-                    ++mistakes_;
-                    continue;
-                }
-                ++seen_[tree_.prims[i]];
-                mistakes_ += !holds(box, boxes_[tree_.prims[i]]);
-            }
+        std::vector<Triangle> triangles(boxes.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const Aabb& b = boxes[i];
+            triangles[i] = {{b.lo[0], b.lo[1], b.lo[2]},
+                            {b.hi[0], b.hi[1], b.lo[2]},
+                            {b.lo[0], b.hi[1], b.hi[2]}};
         }
+        const WideTreeCheck check(tree, boxes, triangles, 20);
+        EXPECT_EQ(check.mistakes(), 0u) << name;
+        EXPECT_LE(check.depth(), kWideMaxDepth) << name;
     }
-
-    const WideTree& tree_;
-    const std::vector<Aabb>& boxes_;
-    std::vector<int> seen_;
-    std::size_t mistakes_ = 0;
-    int depth_ = 0;
 };
 
-Aabb boxAt(double x, double y, double z, double half) {
-    Aabb box;
-    const float lo[3] = {float(x - half), float(y - half), float(z - half)};
-    const float hi[3] = {float(x + half), float(y + half), float(z + half)};
-    box.add(lo);
-    box.add(hi);
-    return box;
+TEST_P(WideBuilder, EveryPrimitiveIsInALeafInsideAllItsBoxes) {
+    for (const std::size_t count : {1u, 2u, 4u, 5u, 15u, 16u, 17u, 64u, 65u, 257u, 5000u})
+        expectSound(scatteredBoxes(count, 1, count), std::to_string(count));
 }
 
-std::vector<Aabb> scattered(std::size_t count, double scale, uint64_t seed) {
-    test::Random random(seed);
-    std::vector<Aabb> boxes;
-    for (std::size_t i = 0; i < count; ++i)
-        boxes.push_back(boxAt(scale * random.unit(), scale * random.unit(), scale * random.unit(),
-                              scale * 0.01 * random.unit()));
-    return boxes;
+TEST_P(WideBuilder, ManyPrimitivesAreSharedByThreads) {
+    expectSound(scatteredBoxes(20000, 1, 40), "20000");
 }
 
-void expectSound(const std::vector<Aabb>& boxes, const std::string& name) {
-    const WideTree tree = buildWideTree(boxes);
-    const TreeCheck check(tree, boxes);
-    EXPECT_EQ(check.mistakes(), 0u) << name;
-    EXPECT_LE(check.depth(), kWideMaxDepth) << name;
+TEST_P(WideBuilder, LeavesOfInstancesHoldOne) {
+    std::vector<Aabb> boxes = scatteredBoxes(3000, 1, 12);
+    for (Aabb& box : boxes) // as large as their distances
+        box = boxAt(box.lo[0], box.lo[1], box.lo[2], 0.035);
+    expectSound(boxes, "instances", kInstanceCosts);
+    const WideTree tree = build(boxes, 1, kInstanceCosts);
+    std::size_t crowded = 0;
+    for (const WideNode& node : tree.nodes)
+        for (const uint32_t child : node.child) crowded += child & kWideLeaf && (child & 15u) > 0;
+    EXPECT_LE(crowded, boxes.size() / 100);
+    EXPECT_LE(tree.nodes.size() * 8, boxes.size()); // half of the places are used, at least
 }
 
-TEST(WideBuilder, EveryPrimitiveIsInOneLeafInsideAllItsBoxes) {
-    for (const std::size_t count : {1u, 2u, 4u, 5u, 15u, 16u, 17u, 64u, 257u, 5000u})
-        expectSound(scattered(count, 1, count), std::to_string(count));
+TEST_P(WideBuilder, NothingMakesAnEmptyTree) {
+    EXPECT_TRUE(build({}).nodes.empty());
+    EXPECT_TRUE(build(std::vector<Aabb>(2)).nodes.empty());
+    EXPECT_TRUE(build(std::vector<Aabb>(200)).nodes.empty());
 }
 
-TEST(WideBuilder, NothingMakesAnEmptyTree) {
-    EXPECT_TRUE(buildWideTree({}).nodes.empty());
-    EXPECT_TRUE(buildWideTree(std::vector<Aabb>(2)).nodes.empty());
-}
-
-TEST(WideBuilder, EmptyBoxesAreLeftOut) {
-    std::vector<Aabb> boxes = scattered(500, 1, 3);
+TEST_P(WideBuilder, EmptyBoxesAndSuchOfNoNumberAreLeftOut) {
+    std::vector<Aabb> boxes = scatteredBoxes(500, 1, 3);
     for (std::size_t i = 0; i < boxes.size(); i += 3) boxes[i] = Aabb();
     expectSound(boxes, "every third empty");
+    for (std::size_t i = 1; i < boxes.size(); i += 3)
+        boxes[i].lo[i % 2] = std::numeric_limits<float>::quiet_NaN();
+    expectSound(boxes, "and every third not a number");
 }
 
-TEST(WideBuilder, HardShapes) {
+TEST_P(WideBuilder, HardShapes) {
     expectSound(std::vector<Aabb>(1000, boxAt(1, 2, 3, 0.5)), "all the same");
+    expectSound(std::vector<Aabb>(9000, boxAt(1, 2, 3, 0.5)), "many all the same");
     expectSound(std::vector<Aabb>(100, boxAt(1, 2, 3, 0)), "all one point");
     std::vector<Aabb> boxes;
     for (int i = 0; i < 2000; ++i) boxes.push_back(boxAt(i, 0, 0, 0));
@@ -120,43 +132,131 @@ TEST(WideBuilder, HardShapes) {
     boxes.clear();
     for (int i = 0; i < 120; ++i) boxes.push_back(boxAt(0, 0, 0, std::ldexp(1.0, i)));
     expectSound(boxes, "each around the one before");
-    for (const double scale : {1e-40, 1e-30, 1e-12, 1e12, 1e30, 1e38})
-        expectSound(scattered(300, scale, 5), "scale " + std::to_string(std::log10(scale)));
+    boxes.clear();
+    for (int i = -120; i < 120; ++i)
+        for (int k = 0; k < 30; ++k)
+            boxes.push_back(boxAt(std::ldexp(1.0 + k * 0x1p-10, i), 0, 0, std::ldexp(1.0, i - 20)));
+    expectSound(boxes, "clusters of all sizes");
+    for (const double scale : {1e-44, 1e-40, 1e-30, 1e-12, 1e12, 1e30, 1e38, 3e38})
+        expectSound(scatteredBoxes(300, scale, 5), "scale " + std::to_string(std::log10(scale)));
+    boxes = scatteredBoxes(1000, 1, 9);
+    for (Aabb& box : boxes) box.lo[2] = box.hi[2] = 7.0f;
+    expectSound(boxes, "flat");
+    boxes[5] = boxAt(3.2e38, -3.2e38, 0, 1e37);
+    expectSound(boxes, "flat, and one far away");
+    if (cuts()) return; // triangles are finite
+    boxes[6].hi[0] = boxes[7].hi[1] = Aabb::kInf;
+    boxes[7].lo[1] = -Aabb::kInf;
+    expectSound(boxes, "infinite ones among them");
 }
 
-TEST(WideBuilder, WideNodesAreWellFilled) {
+TEST_P(WideBuilder, WideNodesAreWellFilled) {
     const std::size_t count = 20000;
-    const WideTree tree = buildWideTree(scattered(count, 1, 6));
+    const WideTree tree = build(scatteredBoxes(count, 1, 6));
     EXPECT_LE(tree.nodes.size() * 30, count); // 30 primitives a node, at least
     EXPECT_EQ(tree.bytes(), tree.nodes.capacity() * 448 + tree.prims.capacity() * 4);
+    EXPECT_LE(tree.bytes(), tree.nodes.size() * 448 * 33 / 32 + tree.prims.size() * 4 * 33 / 32);
 }
 
-TEST(WideBuilder, TheSameEveryTime) {
-    const std::vector<Aabb> boxes = scattered(3000, 1, 7);
-    const WideTree a = buildWideTree(boxes), b = buildWideTree(boxes);
-    EXPECT_EQ(a.prims, b.prims);
-    EXPECT_EQ(a.nodes.size(), b.nodes.size());
+TEST_P(WideBuilder, TheSameTreeByAnyNumberOfThreads) {
+    for (const std::size_t count : {3000u, 20000u}) {
+        const std::vector<Aabb> boxes = scatteredBoxes(count, 1, 7);
+        const WideTree one = build(boxes, 1);
+        for (const unsigned threads : {0u, 2u, 5u}) {
+            const WideTree other = build(boxes, threads);
+            EXPECT_EQ(one.prims, other.prims) << threads;
+            ASSERT_EQ(one.nodes.size(), other.nodes.size()) << threads;
+            EXPECT_EQ(std::memcmp(one.nodes.data(), other.nodes.data(),
+                                  one.nodes.size() * sizeof(WideNode)),
+                      0)
+                << threads;
+            EXPECT_EQ(one.cost, other.cost);
+        }
+    }
 }
 
-TEST(WideBuilder, ControlsTheCheckFindsFaults) {
-    const std::vector<Aabb> boxes = scattered(500, 1, 8);
+TEST_P(WideBuilder, WithoutMemoryNothingIsLeftBehind) {
+    const std::vector<Aabb> boxes = scatteredBoxes(9000, 1, 8);
+    for (const unsigned threads : {1u, 3u}) {
+        bool built = false;
+        int failures = 0;
+        for (long n = 0; !built; n = n < 12 ? n + 1 : n + n / 3) {
+            const long before = gHeld;
+            gAllocations = n;
+            try {
+                const WideTree tree = build(boxes, threads);
+                built = true;
+            } catch (const std::bad_alloc&) {
+                ++failures;
+            }
+            gAllocations = -1;
+            EXPECT_EQ(gHeld, before) << n;
+        }
+        EXPECT_GT(failures, 10);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, WideBuilder,
+                         ::testing::Values(Builder{"Binned", buildWideTree},
+                                           Builder{"Fast", buildWideTreeFast},
+                                           Builder{"Spatial", buildCut}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(WideTreeSpatial, CutsWhatOverlapsWithinItsBudget) {
+    const std::vector<Triangle> triangles = mixedTriangles(6000, 21);
+    const std::vector<Aabb> boxes = boxesOf(triangles);
+    const WideTree whole = buildWideTree(boxes);
+    const WideTree cut = buildWideTreeSpatial(boxes, triangles[0].v0);
+    EXPECT_EQ(WideTreeCheck(cut, boxes, triangles, 100).mistakes(), 0u);
+    EXPECT_GT(cut.prims.size(), triangles.size() * 105 / 100);
+    EXPECT_LE(cut.prims.size(), triangles.size() * 125 / 100);
+    EXPECT_EQ(cut.primitives, triangles.size());
+    EXPECT_LT(cut.cost, whole.cost * 0.95f);
+    for (const WideNode& node : cut.nodes) { // no triangle twice in a leaf
+        for (const uint32_t child : node.child) {
+            if (!(child & kWideLeaf)) continue;
+            const auto first = cut.prims.begin() + ((child & ~kWideLeaf) >> 4);
+            std::vector<uint32_t> leaf(first, first + (child & 15u) + 1);
+            std::sort(leaf.begin(), leaf.end());
+            EXPECT_EQ(std::adjacent_find(leaf.begin(), leaf.end()), leaf.end());
+        }
+    }
+}
+
+TEST(WideTreeQuality, FastTreesCostLittleMore) {
+    const std::vector<Triangle> triangles = mixedTriangles(20000, 22);
+    const std::vector<Aabb> boxes = boxesOf(triangles);
+    EXPECT_LT(buildWideTreeFast(boxes).cost, buildWideTree(boxes).cost * 1.4f);
+}
+
+TEST(WideTreeCheckControls, TheCheckFindsFaults) {
+    const std::vector<Aabb> boxes = scatteredBoxes(500, 1, 8);
     const WideTree sound = buildWideTree(boxes);
-    {
+    EXPECT_EQ(WideTreeCheck(sound, boxes).mistakes(), 0u);
+    const auto expectFault = [&](const auto& spoil) {
         WideTree tree = sound;
-        tree.prims[7] = tree.prims[8];
-        EXPECT_GT(TreeCheck(tree, boxes).mistakes(), 0u);
-    }
-    {
-        WideTree tree = sound;
+        spoil(tree);
+        EXPECT_GT(WideTreeCheck(tree, boxes).mistakes(), 0u);
+    };
+    expectFault([](WideTree& tree) { tree.prims[7] = tree.prims[8]; });
+    expectFault([](WideTree& tree) {
         tree.nodes[0].hi[1][0] = std::nextafter(tree.nodes[0].hi[1][0], -1.0f);
-        EXPECT_GT(TreeCheck(tree, boxes).mistakes(), 0u);
+    });
+    expectFault([](WideTree& tree) { tree.nodes[0].lo[0][0] = Aabb::kInf; });
+
+    const std::vector<Triangle> triangles = mixedTriangles(500, 9);
+    const std::vector<Aabb> triangleBoxes = boxesOf(triangles);
+    WideTree cut = buildWideTreeSpatial(triangleBoxes, triangles[0].v0);
+    EXPECT_EQ(WideTreeCheck(cut, triangleBoxes, triangles, 50).mistakes(), 0u);
+    for (WideNode& node : cut.nodes) {
+        for (int slot = 0; slot < kWideChildren; ++slot) {
+            if (!(node.child[slot] & kWideLeaf)) continue;
+            const float extent = node.hi[0][slot] - node.lo[0][slot];
+            node.hi[0][slot] -= 0.05f * extent;
+        }
     }
-    {
-        WideTree tree = sound;
-        tree.nodes[0].lo[0][0] = Aabb::kInf;
-        EXPECT_GT(TreeCheck(tree, boxes).mistakes(), 0u);
-    }
+    EXPECT_GT(WideTreeCheck(cut, triangleBoxes, triangles, 50).mistakes(), 0u);
 }
 
 } // namespace
-} // namespace smart
+} // namespace smart::test
