@@ -59,6 +59,10 @@ static void frame(void) {
     glVertex2f(5.5f, (GLfloat)windowHeight - 8.5f);
     glVertex2f((GLfloat)windowWidth - 5.5f, 8.5f);
     glVertex2f((GLfloat)windowWidth - 5.5f, (GLfloat)windowHeight - 8.5f);
+    glVertex2f(10.5f, 32.5f);
+    glVertex2f(20.5f, 32.5f);
+    glVertex2f(32.5f, 10.5f);
+    glVertex2f(32.5f, 20.5f);
     glEnd();
     glPointSize(7.0f);
     glBegin(GL_POINTS);

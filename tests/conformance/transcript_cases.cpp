@@ -8,7 +8,7 @@
 namespace conformance {
 namespace {
 
-constexpr const char* kPrograms[] = {"errors",  "feedback", "primitives",
+constexpr const char* kPrograms[] = {"errors",  "feedback", "fragments",  "primitives",
                                      "queries", "state",    "wrong_calls"};
 
 struct Answers {
