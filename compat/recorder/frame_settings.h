@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 
+#include "libsmart/geometry/model_build_options.h"
 #include "libsmart/render/frame.h"
 
 namespace smart::compat {
@@ -27,8 +28,6 @@ struct FrameSettings {
     float weightCutoff = 1.0f / 512.0f;
     Precision precision = Precision::Watertight;
 };
-
-enum class BuildQuality : uint8_t { Nicest, DontCare, Fastest };
 
 /// Hints for the compilation of objects.
 struct BuildHints {

@@ -2,6 +2,7 @@
 #include "compat/recorder/geometry_recording.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 #include <new>
 #include <span>
@@ -236,22 +237,36 @@ void GeometryRecording::addChild(Instance child, uint32_t childLevels,
         if (!uses(usedShaders_, shader.index)) usedShaders_.push_back(shader);
 }
 
-ModelPtr GeometryRecording::compile(const KdBuildOptions& options) {
+ModelPtr GeometryRecording::compile(const ModelBuildOptions& options) {
     // What the model does not need is set aside, and comes back if the build fails.
     ShadingData& shading = builder_.shading;
     shading.vertices = vertexCount_;
     std::vector<uint32_t> slots;
-    const bool oneShader = shading.shaders.size() <= 1;
-    if (oneShader) slots.swap(shading.slots);
+    if (!slotsAreNeeded()) slots.swap(shading.slots);
     ModelPtr model;
     try {
         model = std::move(builder_).build(options);
     } catch (...) {
-        if (oneShader) slots.swap(shading.slots);
+        if (!slotsAreNeeded()) slots.swap(shading.slots);
         throw;
     }
     *this = GeometryRecording();
     return model;
+}
+
+bool GeometryRecording::givesAgain(const Model& model) const {
+    if (!builder_.children.empty() || !model.children.instances().empty() ||
+        !builder_.pixels.empty() || !model.pixels.empty())
+        return false;
+    const std::vector<Triangle>& triangles = builder_.triangles;
+    if (triangles.empty() || triangles.size() != model.triangles.size() ||
+        std::memcmp(triangles.data(), model.triangles.data(),
+                    triangles.size() * sizeof(Triangle)) != 0)
+        return false;
+    ShadingData shading = builder_.shading;
+    shading.vertices = vertexCount_;
+    if (!slotsAreNeeded()) shading.slots.clear();
+    return shading == model.shading;
 }
 
 } // namespace smart::compat

@@ -49,7 +49,10 @@ public:
     void addChild(Instance child, uint32_t childLevels, const std::vector<UsedShader>& shaders);
 
     /// Builds the model and empties the recording; one that throws left it as it was.
-    ModelPtr compile(const KdBuildOptions& options);
+    ModelPtr compile(const ModelBuildOptions& options);
+    /// Whether compiling would give this model once more. Recordings that place other models, or
+    /// that draw in pixels, never do.
+    bool givesAgain(const Model& model) const;
 
 private:
     /// A parameter block written last, to be shared as long as its contents stay the same.
@@ -62,6 +65,7 @@ private:
     /// A vertex, numbered vertexCount_, of a point or line.
     void addPixelVertex(const glm::vec3& position) noexcept;
     uint32_t slotOf(const BoundShader& shader) noexcept;
+    bool slotsAreNeeded() const { return builder_.shading.shaders.size() > 1; }
     /// Number of the materials among those of the geometry; room was made.
     uint32_t materialsNumber(const std::shared_ptr<const FixedMaterials>& materials) noexcept;
 

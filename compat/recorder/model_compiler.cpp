@@ -8,35 +8,41 @@
 namespace smart::compat {
 
 template <class Build>
-ModelPtr ModelCompiler::counted(Build&& build) {
-    auto place = std::make_shared<CountedPlace<const Model>>(memory_);
-    KdBuildOptions options;
-    options.threads = threads_;
-    ModelPtr model = build(options);
+ModelPtr ModelCompiler::counted(Build&& build, BuildQuality quality, bool lazy) {
+    ModelPtr model = build(ModelBuildOptions{quality, lazy, threads_, memory_});
     ++modelsBuilt_;
     buildSeconds_ += model->buildSeconds;
-    const std::size_t bytes = model->bytes();
-    return CountedPlace<const Model>::put(std::move(place), std::move(model), bytes);
+    return model;
 }
 
-ModelPtr ModelCompiler::compile(GeometryRecording& recording) {
-    return counted([&](const KdBuildOptions& options) { return recording.compile(options); });
+ModelPtr ModelCompiler::compile(GeometryRecording& recording, BuildQuality quality, bool lazy) {
+    return counted([&](const ModelBuildOptions& options) { return recording.compile(options); },
+                   quality, lazy);
 }
 
 ModelPtr ModelCompiler::update(const Model& old, uint32_t first, uint32_t count,
-                               const float* positions) {
-    return counted([&](const KdBuildOptions& options) {
-        return updateModel(old, first, count, positions, options);
-    });
+                               const float* positions, BuildQuality quality, bool lazy) {
+    return counted(
+        [&](const ModelBuildOptions& options) {
+            return updateModel(old, first, count, positions, options);
+        },
+        quality, lazy);
 }
 
 ScenePtr ModelCompiler::makeScene(std::vector<Instance> instances, Precision precision,
                                   bool lastOfEqual) {
-    auto place = std::make_shared<CountedPlace<const Scene>>(memory_);
-    ScenePtr scene = std::make_shared<const Scene>(std::move(instances), precision, threads_, lastOfEqual);
-    buildSeconds_ += scene->buildSeconds();
-    const std::size_t bytes = scene->group().bytes();
-    return CountedPlace<const Scene>::put(std::move(place), std::move(scene), bytes);
+    struct CountedScene {
+        CountedScene(std::shared_ptr<MemoryCounter> counter, std::vector<Instance> all,
+                     Precision exactness, unsigned threads, bool last)
+            : scene(std::move(all), exactness, threads, last),
+              bytes(std::move(counter), sizeof(Scene) + scene.group().bytes()) {}
+        Scene scene;
+        CountedBytes bytes;
+    };
+    const auto made = std::make_shared<CountedScene>(memory_, std::move(instances), precision,
+                                                     threads_, lastOfEqual);
+    buildSeconds_ += made->scene.buildSeconds();
+    return ScenePtr(made, &made->scene);
 }
 
 } // namespace smart::compat

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "compat/recorder/geometry_recording.h"
-#include "compat/recorder/memory_counter.h"
+#include "libsmart/base/memory_counter.h"
 #include "libsmart/scene/scene.h"
 
 namespace smart::compat {
@@ -13,9 +13,10 @@ namespace smart::compat {
 /// Builds the models and scenes of one context, and counts what they take.
 class ModelCompiler {
 public:
-    ModelPtr compile(GeometryRecording& recording);
+    ModelPtr compile(GeometryRecording& recording, BuildQuality quality, bool lazy);
     /// As updateModel().
-    ModelPtr update(const Model& old, uint32_t first, uint32_t count, const float* positions);
+    ModelPtr update(const Model& old, uint32_t first, uint32_t count, const float* positions,
+                    BuildQuality quality, bool lazy);
     /// lastOfEqual: as Scene has it.
     ScenePtr makeScene(std::vector<Instance> instances, Precision precision,
                        bool lastOfEqual = false);
@@ -27,7 +28,7 @@ public:
 
 private:
     template <class Build>
-    ModelPtr counted(Build&& build);
+    ModelPtr counted(Build&& build, BuildQuality quality, bool lazy);
 
     std::shared_ptr<MemoryCounter> memory_ = std::make_shared<MemoryCounter>();
     unsigned threads_ = 1;

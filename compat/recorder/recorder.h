@@ -136,7 +136,7 @@ public:
     /// The same into other memory.
     std::shared_ptr<Frame> makeFrame(const PixelTarget& target);
     /// Starts a new, empty scene.
-    void clearScene() noexcept { scene() = SceneRecording(); }
+    void clearScene() noexcept;
     /// Whether nothing was added to it.
     bool sceneIsEmpty() const { return scenes_.bound().additions == 0; }
     /// Whether something was added since sceneIsFinished().
@@ -149,6 +149,8 @@ private:
     struct Object {
         ModelPtr model;
         std::vector<UsedShader> shaders;
+        BuildHints hints;          ///< when it was defined
+        uint64_t raysThen = 0;     ///< cameraRays_ when it was built last
     };
     struct OpenObject {
         uint32_t id;
@@ -159,6 +161,9 @@ private:
     };
     SceneRecording& scene() { return scenes_.bound(); }
     const Object& object(uint32_t id) const;
+    /// For an object of so many triangles, built before if `old` is.
+    BuildQuality qualityFor(const BuildHints& hints, const Object* old,
+                            std::size_t triangles) const;
     void openObject(uint32_t id, ObjectMode mode);
     /// Back to what the object under definition found.
     void closeObject() noexcept;
@@ -173,6 +178,10 @@ private:
     std::shared_ptr<Shader> shaderOfKind(uint32_t id, RTenum kind, const char* kindName) const;
     /// The loose run under way as an instance; the run stays open. Nothing without triangles.
     std::optional<Instance> looseInstance();
+    /// The model of a run as long as the run before it in this place was the same; the tree gets
+    /// better where that pays. Else compiles it. `spare`: is emptied then, and may be a copy.
+    ModelPtr sameLooseRun() const;
+    ModelPtr compileLooseRun(GeometryRecording& spare);
     /// Makes the loose run, if there is one, an instance.
     void endLooseRun();
     std::vector<Instance> allInstances();
@@ -217,6 +226,7 @@ private:
     ModelCompiler compiler_;
 
     std::map<uint32_t, Object> objects_;
+    uint64_t cameraRays_ = 0; ///< of all frames started so far
     uint32_t lastObject_ = 0;
     std::unique_ptr<OpenObject> open_;
     SceneStore scenes_;

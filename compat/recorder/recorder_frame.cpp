@@ -130,6 +130,7 @@ std::shared_ptr<Frame> Recorder::makeFrame(const PixelTarget& target) {
         add(hasContent() ? *scene().view : currentView(), allInstances(), scene().clears);
 
     const std::shared_ptr<Frame> top = layers.back();
+    cameraRays_ += uint64_t(target.width) * target.height * top->samples;
     top->clearColor = frameSettings_.clearColor;
     startFrom(layers.front()->clears, target, *top);
     uint32_t instances = 0;

@@ -72,6 +72,7 @@ void Recorder::clear(bool color, bool depth) {
             recording.below.clear();
             recording.instances.clear();
             recording.loose = GeometryRecording();
+            recording.looseCount = 0;
             recording.view.reset();
         }
         ++recording.additions;

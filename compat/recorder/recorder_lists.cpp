@@ -32,7 +32,7 @@ CompiledRun Recorder::compileRun(const std::function<void()>& calls) {
     } const close{*this};
     calls();
     requireOutsidePrimitive();
-    ModelPtr model = compiler_.compile(open_->recording);
+    ModelPtr model = compiler_.compile(open_->recording, BuildQuality::DontCare, false);
     return {std::move(model), shaders_.bound(), open_->savedAttributes.materials};
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "compat/recorder/build_choice.h"
 #include "compat/recorder/recorder.h"
 #include "compat/recorder/transforms.h"
 #include "libsmart/base/error.h"
@@ -66,8 +67,14 @@ void Recorder::endObject() {
     std::map<uint32_t, Object> made;
     Object& entry = made.try_emplace(open_->id).first->second;
     entry.shaders = open_->recording.usedShaders();
+    entry.hints = buildHints_;
+    entry.raysThen = cameraRays_;
+    const auto before = objects_.find(open_->id);
+    const BuildQuality quality =
+        qualityFor(buildHints_, before == objects_.end() ? nullptr : &before->second,
+                   open_->recording.triangleCount());
     const auto compile = [&](Instance& instance) {
-        entry.model = compiler_.compile(open_->recording);
+        entry.model = compiler_.compile(open_->recording, quality, buildHints_.lazy);
         instance.model = entry.model;
     };
     Instance instance;
@@ -81,10 +88,16 @@ void Recorder::endObject() {
     } else {
         compile(instance);
     }
-    const auto old = objects_.find(open_->id);
-    if (old != objects_.end()) objects_.erase(old);
+    if (before != objects_.end()) objects_.erase(before);
     objects_.insert(made.extract(made.begin()));
     closeObject();
+}
+
+BuildQuality Recorder::qualityFor(const BuildHints& hints, const Object* old,
+                                  std::size_t triangles) const {
+    std::optional<uint64_t> raysSince;
+    if (old) raysSince = cameraRays_ - old->raysThen;
+    return chooseQuality(hints.quality, raysSince, triangles);
 }
 
 void Recorder::closeObject() noexcept {
@@ -104,8 +117,12 @@ void Recorder::requireVertices(uint32_t id, uint32_t first, uint32_t count) cons
 void Recorder::updateObject(uint32_t id, uint32_t first, uint32_t count, const float* positions) {
     requireVertices(id, first, count);
     if (count == 0) return;
-    ModelPtr& model = objects_.find(id)->second.model;
-    model = compiler_.update(*model, first, count, positions);
+    Object& updated = objects_.find(id)->second;
+    const BuildQuality quality =
+        qualityFor(updated.hints, &updated, updated.model->triangles.size());
+    updated.model = compiler_.update(*updated.model, first, count, positions, quality,
+                                     updated.hints.lazy);
+    updated.raysThen = cameraRays_;
 }
 
 void Recorder::removeObject(uint32_t id) {
@@ -200,17 +217,45 @@ void Recorder::placeInScene(Instance instance, Complete&& complete) {
     complete(instance);
     if (loose) {
         list.push_back(std::move(*loose));
+        ++scene().looseCount;
         scene().loose = GeometryRecording();
     }
     list.push_back(std::move(instance));
     ++scene().additions;
 }
 
+ModelPtr Recorder::sameLooseRun() const {
+    const SceneRecording& recording = scenes_.bound();
+    if (recording.looseCount >= recording.looseRuns.size()) return nullptr;
+    const LooseRun& run = recording.looseRuns[recording.looseCount];
+    if (!run.model || !recording.loose.givesAgain(*run.model)) return nullptr;
+    const bool better =
+        run.quality == BuildQuality::Fastest &&
+        chooseQuality(BuildQuality::DontCare, cameraRays_ - run.raysThen,
+                      run.model->triangles.size()) == BuildQuality::DontCare;
+    return better ? nullptr : run.model;
+}
+
+ModelPtr Recorder::compileLooseRun(GeometryRecording& spare) {
+    SceneRecording& recording = scene();
+    if (recording.looseRuns.size() <= recording.looseCount)
+        recording.looseRuns.resize(recording.looseCount + 1);
+    LooseRun& run = recording.looseRuns[recording.looseCount];
+    // Made for one frame, unless it is the same again: sameLooseRun() found a better tree to pay.
+    const bool again = run.model && spare.givesAgain(*run.model);
+    const BuildQuality quality = again ? BuildQuality::DontCare : BuildQuality::Fastest;
+    run = {compiler_.compile(spare, quality, false), quality, cameraRays_};
+    return run.model;
+}
+
 std::optional<Instance> Recorder::looseInstance() {
     if (!scene().loose.hasPrimitives()) return std::nullopt;
-    GeometryRecording copy = scene().loose;
     Instance instance;
-    instance.model = compiler_.compile(copy);
+    instance.model = sameLooseRun();
+    if (!instance.model) {
+        GeometryRecording copy = scene().loose;
+        instance.model = compileLooseRun(copy);
+    }
     instance.inherited = scene().looseInherited;
     instance.state = scene().looseState;
     return instance;
@@ -221,12 +266,23 @@ void Recorder::endLooseRun() {
         std::vector<Instance>& list = scene().instances;
         if (list.capacity() == list.size()) list.reserve(2 * list.capacity() + 2);
         Instance instance;
-        instance.model = compiler_.compile(scene().loose); // the last step that may fail
+        instance.model = sameLooseRun();
+        if (!instance.model) // the last step that may fail
+            instance.model = compileLooseRun(scene().loose);
         instance.inherited = scene().looseInherited;
         instance.state = scene().looseState;
         list.push_back(std::move(instance));
+        ++scene().looseCount;
     }
     scene().loose = GeometryRecording();
+}
+
+void Recorder::clearScene() noexcept {
+    std::vector<LooseRun> runs = std::move(scene().looseRuns);
+    if (runs.size() > scene().looseCount + 1) // the last run is still open
+        runs.erase(runs.begin() + std::ptrdiff_t(scene().looseCount) + 1, runs.end());
+    scene() = SceneRecording();
+    scene().looseRuns = std::move(runs);
 }
 
 std::vector<Instance> Recorder::allInstances() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +13,13 @@
 #include "libsmart/shading/fixed_state.h"
 
 namespace smart::compat {
+
+/// A run of loose primitives as it was compiled last, for the case that it stays the same.
+struct LooseRun {
+    ModelPtr model;
+    BuildQuality quality = BuildQuality::Fastest;
+    uint64_t raysThen = 0; ///< camera rays of the frames before it was built
+};
 
 /// What the next frame of a scene consists of so far.
 struct SceneRecording {
@@ -25,6 +33,9 @@ struct SceneRecording {
     GeometryRecording loose;
     InheritedAttributes looseInherited;
     FixedStatePtr looseState; ///< of all of the run
+    /// Runs by their order in the frame: those of this one, then those of the one before.
+    std::vector<LooseRun> looseRuns;
+    std::size_t looseCount = 0; ///< runs of this frame that are instances
 
     std::vector<std::shared_ptr<Shader>> lights;
     std::shared_ptr<Shader> camera, environment, renderingObject;

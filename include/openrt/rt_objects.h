@@ -94,8 +94,9 @@ RTAPI void RTAPIENTRY rtReplaceObject(RTuint object);
  * and triangles without area are dropped, both until a later update makes them whole. The memory
  * may be used again at once. count 0 does nothing.
  * The object is made anew beside the old one, which frames in flight, instances already given and
- * objects that nest it keep; time is proportional to the whole object, whatever the count. If
- * memory runs out the object stays as it was. Not in an object.
+ * objects that nest it keep; what does not change, such as attributes, is shared with it. Time is
+ * proportional to the whole object, whatever the count: update a mesh in one call. If memory runs
+ * out the object stays as it was. Not in an object.
  * Errors:  RT_INVALID_VALUE  unknown object; count negative; vertices that the object does not
  *                            have; xyz NULL with count above 0
  * Threads: the context's. Since: 0.1 */
@@ -134,7 +135,18 @@ RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const
 /* How objects are built; state, read by rtEndObject. Legal in objects.
  *   RT_BUILD_QUALITY  RT_NICEST, RT_DONT_CARE (start), RT_FASTEST
  *   RT_LAZY_BUILD     RT_TRUE, RT_FALSE (start)
- * This release has one builder, that of RT_NICEST, and builds at once whatever the hints say.
+ * RT_NICEST builds the kd-tree that the surface area heuristic finds best, exactly (Wald and
+ * Havran, 2006), and, once enough camera rays have come, a tree of boxes with cut triangles beside
+ * it. It takes by far the most time and memory. RT_FASTEST builds a tree of boxes along a space-filling
+ * curve in linear time. RT_DONT_CARE builds a tree of boxes by the surface area heuristic over bins
+ * (Wald, 2007); an object that is defined again, or updated, gets what pays: the fast tree, unless
+ * the frames started since its last build had more than some eight camera rays a triangle. Hits do
+ * not depend on any of this. After rtUpdateObject the tree of boxes of before is fitted to the new
+ * positions (Lauterbach and others, 2006) until rays would take half as long again as in a new one;
+ * there is no kd-tree then. Primitives outside objects get the fast tree.
+ * RT_LAZY_BUILD builds when the first ray reaches an instance of the object: objects that no ray
+ * reaches have no tree. Threads that come meanwhile wait. If memory runs out then, the frame fails
+ * with RT_OUT_OF_MEMORY; the next frame tries again.
  * Errors:  RT_INVALID_ENUM  unknown hint, or value not one of the hint's
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtObjectHint(RTenum hint, RTenum value);

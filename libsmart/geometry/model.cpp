@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
-#include "libsmart/accel/triangle_clip.h"
-#include "libsmart/base/fp_environment.h"
-#include "libsmart/geometry/degenerate.h"
-#include "libsmart/geometry/kd_view.h"
+#include "libsmart/geometry/model_trees.h"
+#include "libsmart/kernel/packet.h"
 
 namespace smart {
 namespace {
@@ -17,74 +14,6 @@ template <class T>
 std::size_t heldBytes(const std::vector<T>& vector) {
     return vector.capacity() * sizeof(T);
 }
-
-/// Computed in double, each entry rounded once.
-TriangleRecord makeRecord(const Triangle& triangle) {
-    double e1[3], e2[3], normal[3];
-    for (int k = 0; k < 3; ++k) {
-        e1[k] = double(triangle.v1[k]) - triangle.v0[k];
-        e2[k] = double(triangle.v2[k]) - triangle.v0[k];
-    }
-    int axis = 0;
-    for (int k = 0; k < 3; ++k) {
-        const int ku = (k + 1) % 3, kv = (k + 2) % 3;
-        normal[k] = e1[ku] * e2[kv] - e1[kv] * e2[ku];
-        if (std::fabs(normal[k]) > std::fabs(normal[axis])) axis = k;
-    }
-    const int ku = (axis + 1) % 3, kv = (axis + 2) % 3;
-    const double area = normal[axis];
-    const double p = triangle.v0[ku], q = triangle.v0[kv];
-    TriangleRecord record{};
-    record.nu = float(normal[ku] / area);
-    record.nv = float(normal[kv] / area);
-    record.nd = float(triangle.v0[axis] + (normal[ku] * p + normal[kv] * q) / area);
-    record.bu = float(e2[kv] / area);
-    record.bv = float(-e2[ku] / area);
-    record.bd = float((e2[ku] * q - e2[kv] * p) / area);
-    record.cu = float(-e1[kv] / area);
-    record.cv = float(e1[ku] / area);
-    record.cd = float((e1[kv] * p - e1[ku] * q) / area);
-    // Degenerate, not finite, or too small or too large for single precision: never hit.
-    for (const float entry : {record.nu, record.nv, record.nd, record.bu, record.bv, record.bd,
-                              record.cu, record.cv, record.cd}) {
-        if (!std::isfinite(entry)) return {0, 0, 0, 3, 0, 0, 0, 0, 0, 0};
-    }
-    record.axis = uint32_t(axis);
-    return record;
-}
-
-/// The triangles of a model as the tree's builder sees them.
-class TrianglePrimitives final : public KdPrimitives {
-public:
-    explicit TrianglePrimitives(const std::vector<Triangle>& triangles)
-        : triangles_(triangles), dropped_(triangles.size()) {
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            dropped_[i] = !isFinite(triangles[i]) || isDegenerate(triangles[i]);
-            droppedCount_ += dropped_[i];
-        }
-    }
-    uint32_t droppedCount() const { return droppedCount_; }
-
-    uint32_t count() const override { return uint32_t(triangles_.size()); }
-    Aabb bounds(uint32_t prim) const override {
-        Aabb box;
-        if (dropped_[prim]) return box;
-        const Triangle& triangle = triangles_[prim];
-        box.add(triangle.v0);
-        box.add(triangle.v1);
-        box.add(triangle.v2);
-        return box;
-    }
-    Aabb clipped(uint32_t prim, const Aabb& cell) const override {
-        const Triangle& triangle = triangles_[prim];
-        return clipTriangle(triangle.v0, triangle.v1, triangle.v2, cell);
-    }
-
-private:
-    const std::vector<Triangle>& triangles_;
-    std::vector<uint8_t> dropped_;
-    uint32_t droppedCount_ = 0;
-};
 
 template <class... Vectors>
 void shrinkAll(Vectors&... vectors) {
@@ -106,65 +35,92 @@ void ShadingData::shrink() {
               slots, shaders, triangleBlocks, triangleData, vertexBlocks, vertexData, keepAlive);
 }
 
-std::size_t Model::bytes() const {
-    return sizeof(Model) + heldBytes(triangles) + tree.bytes() + shading.bytes() + pixels.bytes() +
-           children.bytes() + preparedBytes_.load(std::memory_order_relaxed);
+void TreeSizes::add(const KdTree& tree) {
+    nodes += tree.nodes.size();
+    references += tree.prims.size();
+    leaves += (tree.nodes.size() + 1) / 2; // inner nodes have two children
 }
 
-void Model::buildTrees(const std::vector<Triangle>& from, const KdBuildOptions& options) {
-    const TrianglePrimitives primitives(from);
-    droppedTriangles = primitives.droppedCount();
-    if (!from.empty()) {
-        KdBuildStats stats;
-        tree = buildKdTree(primitives, options, &stats);
-        treeEvents = stats.events;
+void TreeSizes::add(std::span<const WideNode> tree) {
+    nodes += tree.size();
+    for (const WideNode& node : tree) {
+        for (const uint32_t child : node.child) {
+            if (!(child & kWideLeaf)) continue;
+            ++leaves;
+            references += (child & 15u) + 1;
+        }
     }
+}
+
+void TreeSizes::add(const TreeSizes& more) {
+    nodes += more.nodes;
+    leaves += more.leaves;
+    references += more.references;
+}
+
+Model::Model(std::shared_ptr<const ShadingData> shadingData,
+             std::shared_ptr<const InstanceGroup> group, const ModelBuildOptions& options)
+    : sharedShading(std::move(shadingData)), sharedChildren(std::move(group)),
+      trees_(std::make_unique<ModelTrees>(options)), counted_(options.memory, sizeof(Model)) {}
+
+Model::~Model() = default;
+
+const ModelView& Model::view() const { return trees_->view(); }
+const KdTree& Model::kdTree() const { return trees_->kdTree(); }
+uint64_t Model::treeEvents() const { return trees_->events(); }
+bool Model::treesBuilt() const { return trees_->built(); }
+TreeSizes Model::treeSizes() const { return trees_->sizes(); }
+std::size_t Model::ownBytes() const { return trees_->bytes() + std::size_t(counted_.bytes()); }
+
+void Model::buildTrees(const std::vector<Triangle>& from, const Model* old) {
+    if (old)
+        trees_->makeMoved(from, *old->trees_);
+    else
+        trees_->make(from);
+    droppedTriangles = trees_->dropped();
     for (const Instance& child : children.instances()) {
         if (!child.model) continue;
         levels = std::max(levels, 1 + child.model->levels);
         drawsPixels |= child.model->drawsPixels;
     }
     assert(levels <= uint32_t(kMaxLevels));
-    bounds = tree.bounds;
+    bounds = trees_->bounds();
     bounds.add(children.bounds());
 }
 
-void Model::makeView() {
+void Model::show() {
     drawsPixels |= !pixels.empty();
-    view_.triangles = triangles.data();
-    view_.tree = makeKdView(tree, tree.bounds);
-    children.show(view_);
+    counted_.add(pixels.bytes());
+    trees_->show(triangles, children);
 }
 
+// The flags keep models that are nested often, and deep, from being visited often.
 void Model::prepareFastRecords() const {
-    std::call_once(recordsOnce_, [this] {
-        const FpEnvironment standard;
-        for (const Instance& child : children.instances()) {
-            if (child.model) child.model->prepareFastRecords();
-        }
-        records_.reserve(triangles.size());
-        for (const Triangle& triangle : triangles) records_.push_back(makeRecord(triangle));
-        preparedBytes_.fetch_add(heldBytes(records_), std::memory_order_relaxed);
-        view_.records = records_.data();
-    });
+    if (recordsPrepared_.load(std::memory_order_acquire)) return;
+    for (const Instance& child : children.instances())
+        if (child.model) child.model->prepareFastRecords();
+    trees_->prepareRecords();
+    recordsPrepared_.store(true, std::memory_order_release);
 }
 
 void Model::prepareTiles() const {
-    std::call_once(tilesOnce_, [this] {
-        const FpEnvironment standard;
-        for (const Instance& child : children.instances()) {
-            if (child.model) child.model->prepareTiles();
-        }
-        std::vector<Aabb> boxes(triangles.size());
-        for (const uint32_t i : tree.prims) {
-            boxes[i].add(triangles[i].v0);
-            boxes[i].add(triangles[i].v1);
-            boxes[i].add(triangles[i].v2);
-        }
-        tileTrees_ = TileTrees(triangles, boxes);
-        preparedBytes_.fetch_add(tileTrees_.bytes(), std::memory_order_relaxed);
-        tileTrees_.show(view_);
-    });
+    if (tilesPrepared_.load(std::memory_order_acquire)) return;
+    for (const Instance& child : children.instances())
+        if (child.model) child.model->prepareTiles();
+    trees_->prepareWideTree();
+    tilesPrepared_.store(true, std::memory_order_release);
+}
+
+bool Model::readyForTiles() const {
+    if (tilesPrepared_.load(std::memory_order_acquire)) return true;
+    const auto ready = [](const Instance& child) {
+        return !child.model || child.model->readyForTiles();
+    };
+    if (!trees_->hasWideTree() ||
+        !std::all_of(children.instances().begin(), children.instances().end(), ready))
+        return false;
+    tilesPrepared_.store(true, std::memory_order_release);
+    return true;
 }
 
 } // namespace smart

@@ -4,17 +4,19 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
-#include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "libsmart/accel/kd_builder.h"
+#include "libsmart/accel/kd_tree.h"
+#include "libsmart/accel/wide_node.h"
 #include "libsmart/geometry/instance_group.h"
+#include "libsmart/geometry/model_build_options.h"
 #include "libsmart/geometry/pixel_geometry.h"
-#include "libsmart/geometry/tile_trees.h"
 #include "libsmart/geometry/triangle_corners.h"
 #include "libsmart/kernel/view.h"
 
@@ -60,62 +62,88 @@ struct ShadingData {
     std::size_t bytes() const;
     /// Gives back memory that nothing lies in.
     void shrink();
+    bool operator==(const ShadingData&) const = default;
 };
+
+/// Sizes of trees, of both kinds together.
+struct TreeSizes {
+    uint64_t nodes = 0, leaves = 0, references = 0;
+
+    void add(const KdTree& tree);
+    void add(std::span<const WideNode> tree);
+    void add(const TreeSizes& more);
+};
+
+class ModelTrees;
 
 /// A compiled object: immutable, shared by scenes, frames and threads without locks.
 /// Made by ModelBuilder, and from another one by updateModel().
 struct Model {
+    /// Both are filled before the first ray comes.
     explicit Model(std::shared_ptr<const ShadingData> shadingData = std::make_shared<ShadingData>(),
-                   std::shared_ptr<const InstanceGroup> group = std::make_shared<InstanceGroup>())
-        : sharedShading(std::move(shadingData)), sharedChildren(std::move(group)) {}
+                   std::shared_ptr<const InstanceGroup> group = std::make_shared<InstanceGroup>(),
+                   const ModelBuildOptions& options = {});
+    ~Model();
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
 
     std::vector<Triangle> triangles; ///< in the order given; dropped ones keep their number
-    KdTree tree;
     /// Models that differ in positions alone have these in common.
     const std::shared_ptr<const ShadingData> sharedShading;
     const std::shared_ptr<const InstanceGroup> sharedChildren;
     const ShadingData& shading = *sharedShading;
     const InstanceGroup& children = *sharedChildren;
     PixelGeometry pixels;
-    uint32_t droppedTriangles = 0; ///< not finite or degenerate; not in the tree
+    uint32_t droppedTriangles = 0; ///< not finite or degenerate; not in a tree
     bool drawsPixels = false;      ///< it, or a child, has something in `pixels`
     uint32_t levels = 1;           ///< 1 without children, else 1 + the deepest child's
-    uint64_t treeEvents = 0;       ///< events the builder swept
     double buildSeconds = 0;
     Aabb bounds; ///< of triangles and children
 
-    Model(const Model&) = delete;
-    Model& operator=(const Model&) = delete;
+    const ModelView& view() const;
+    /// Empty where there is none: of a lazy model before the first ray, and where another tree was
+    /// asked for.
+    const KdTree& kdTree() const;
+    uint64_t treeEvents() const; ///< events the kd-tree's builder swept
+    /// False for a lazy model that no ray has reached.
+    bool treesBuilt() const;
+    /// Of the trees over its own triangles that exist.
+    TreeSizes treeSizes() const;
+    /// Of its own, and with what it has in common with others.
+    std::size_t ownBytes() const;
+    std::size_t bytes() const { return ownBytes() + shading.bytes() + children.bytes(); }
 
-    const ModelView& view() const { return view_; }
-    std::size_t bytes() const;
-
-    /// Makes the fast mode's records, here and in the models nested below, unless they exist.
-    /// Thread-safe; traversal of this model in another mode may be under way.
+    /// Makes the fast mode's records, here and in the models nested below, unless they exist; of a
+    /// lazy model with its trees. Thread-safe; traversal of this model in another mode may be
+    /// under way.
     void prepareFastRecords() const;
     /// Makes what tiles of rays walk, here and in the models nested below, unless it exists. Until
     /// then they walk the kd-tree. Thread-safe; traversal of this model may be under way, but for
     /// tiles.
     void prepareTiles() const;
+    /// Whether there is nothing left for prepareTiles() to do.
+    bool readyForTiles() const;
 
 private:
     friend class ModelBuilder;
     friend std::shared_ptr<const Model> updateModel(const Model& old, uint32_t first,
                                                     uint32_t count, const float* positions,
-                                                    const KdBuildOptions& options);
-    /// Of `from`, which become the model's later; and what follows from children and pixels.
-    void buildTrees(const std::vector<Triangle>& from, const KdBuildOptions& options);
+                                                    const ModelBuildOptions& options);
+    /// Of triangles that become the model's later; and what follows from the children.
+    /// old: the model that these have moved away from, if there is one.
+    void buildTrees(const std::vector<Triangle>& from, const Model* old = nullptr);
     /// The last step.
-    void makeView();
+    void show();
 
-    mutable ModelView view_{};
-    mutable std::once_flag recordsOnce_;
-    mutable std::vector<TriangleRecord> records_;
-    mutable std::once_flag tilesOnce_;
-    mutable TileTrees tileTrees_;
-    mutable std::atomic<std::size_t> preparedBytes_{0}; ///< bytes() may run beside the making
+    std::unique_ptr<ModelTrees> trees_; ///< thread-safe where it is not const
+    CountedBytes counted_;
+    mutable std::atomic<bool> recordsPrepared_{false}, tilesPrepared_{false}; ///< nested ones too
 };
 
 using ModelPtr = std::shared_ptr<const Model>;
+
+/// What kept the calling thread from building the trees of a lazy model that its rays reached; they
+/// went through it then. nullptr: nothing, since the last call.
+std::exception_ptr takeBuildFailure() noexcept;
 
 } // namespace smart

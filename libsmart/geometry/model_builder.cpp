@@ -36,25 +36,30 @@ namespace {
 
 } // namespace
 
-ModelPtr ModelBuilder::build(const KdBuildOptions& options) && {
+ModelPtr ModelBuilder::build(const ModelBuildOptions& options) && {
     const FpEnvironment standard;
     const auto start = std::chrono::steady_clock::now();
     assert(triangles.size() < kNoHit);
     assert(isConsistent(shading, triangles.size()));
 
     // Build aside, so that this builder still holds all it was given when memory runs out.
-    const auto shared = std::make_shared<ShadingData>();
+    const auto shared = std::make_shared<Counted<ShadingData>>(options.memory);
+    const auto group = std::make_shared<Counted<InstanceGroup>>(options.memory);
+    if (!children.empty()) group->value = InstanceGroup(children, options.threads);
     const auto model = std::make_shared<Model>(
-        shared, std::make_shared<InstanceGroup>(children, options.threads));
-    model->buildTrees(triangles, options);
+        std::shared_ptr<const ShadingData>(shared, &shared->value),
+        std::shared_ptr<const InstanceGroup>(group, &group->value), options);
+    model->buildTrees(triangles);
     triangles.shrink_to_fit();
     shading.shrink();
 
     model->triangles = std::move(triangles);
-    *shared = std::move(shading);
+    shared->value = std::move(shading);
+    shared->bytes.add(sizeof(ShadingData) + shared->value.bytes());
+    group->bytes.add(sizeof(InstanceGroup) + group->value.bytes());
     model->pixels = std::move(pixels);
     children.clear();
-    model->makeView();
+    model->show();
     model->buildSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return model;

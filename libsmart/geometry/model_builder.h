@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "libsmart/accel/kd_builder.h"
 #include "libsmart/geometry/model.h"
 
 namespace smart {
@@ -21,8 +20,8 @@ public:
     std::vector<Instance> children;
 
     /// Compiles. A triangle that is not finite, or whose cross product is exactly zero (in exact
-    /// arithmetic), is left out of the tree, counted, and keeps its number.
-    ModelPtr build(const KdBuildOptions& options = {}) &&;
+    /// arithmetic), is left out of the trees, counted, and keeps its number.
+    ModelPtr build(const ModelBuildOptions& options = {}) &&;
 };
 
 } // namespace smart

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <glm/vec3.hpp>
 
+#include "libsmart/accel/build_crew.h"
 #include "libsmart/base/fp_environment.h"
 
 namespace smart {
@@ -24,13 +25,19 @@ struct MovedVertices {
 };
 
 void move(std::vector<Triangle>& triangles, const TriangleCorners& corners,
-          const MovedVertices& moved) {
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const TriangleCorners::Corners numbers = corners[i];
-        float* const vertices[] = {triangles[i].v0, triangles[i].v1, triangles[i].v2};
-        for (std::size_t k = 0; k < 3; ++k)
-            if (const float* const to = moved.find(numbers[k])) std::copy_n(to, 3, vertices[k]);
-    }
+          const MovedVertices& moved, unsigned threads) {
+    constexpr std::size_t kTrianglesOfPart = 16384;
+    const std::size_t parts = (triangles.size() + kTrianglesOfPart - 1) / kTrianglesOfPart;
+    BuildCrew(threads).forEach(parts, [&](std::size_t part) {
+        const std::size_t first = part * kTrianglesOfPart;
+        const std::size_t end = std::min(first + kTrianglesOfPart, triangles.size());
+        for (std::size_t i = first; i < end; ++i) {
+            const TriangleCorners::Corners numbers = corners[i];
+            float* const vertices[] = {triangles[i].v0, triangles[i].v1, triangles[i].v2};
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const float* const to = moved.find(numbers[k])) std::copy_n(to, 3, vertices[k]);
+        }
+    });
 }
 
 void move(PixelGeometry& pixels, const MovedVertices& moved) {
@@ -45,18 +52,18 @@ void move(PixelGeometry& pixels, const MovedVertices& moved) {
 } // namespace
 
 ModelPtr updateModel(const Model& old, uint32_t first, uint32_t count, const float* positions,
-                     const KdBuildOptions& options) {
+                     const ModelBuildOptions& options) {
     const FpEnvironment standard;
     const auto start = std::chrono::steady_clock::now();
     assert(old.shading.corners.size() == old.triangles.size());
     const MovedVertices moved{first, count, positions};
-    const auto model = std::make_shared<Model>(old.sharedShading, old.sharedChildren);
+    const auto model = std::make_shared<Model>(old.sharedShading, old.sharedChildren, options);
     model->triangles = old.triangles;
-    move(model->triangles, old.shading.corners, moved);
+    move(model->triangles, old.shading.corners, moved, options.threads);
     model->pixels = old.pixels;
     move(model->pixels, moved);
-    model->buildTrees(model->triangles, options);
-    model->makeView();
+    model->buildTrees(model->triangles, &old);
+    model->show();
     model->buildSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return model;

@@ -12,6 +12,6 @@ namespace smart {
 /// with `old`, which does not change. Triangles that were dropped come back where they are finite
 /// and have an area now, and the other way round. Throws std::bad_alloc.
 ModelPtr updateModel(const Model& old, uint32_t first, uint32_t count, const float* positions,
-                     const KdBuildOptions& options = {});
+                     const ModelBuildOptions& options = {});
 
 } // namespace smart

@@ -28,6 +28,12 @@ void transformRays(const InstanceView& instance, const LocalRays<N>& rays, Local
     }
 }
 
+/// The model of an instance as rays walk it.
+inline const ModelView& reached(const InstanceView& instance) {
+    const DeferredView* const deferred = instance.model->deferred;
+    return deferred ? *deferred->reach(*deferred) : *instance.model;
+}
+
 /// Splits lanes into groups of equal direction signs and dominant axis, the lowest lane's first.
 template <int N>
 class RayGroups {
@@ -270,11 +276,11 @@ private:
         const InstanceView& instance = parent.children[number];
         query.currentPath[query.currentLevels++] = number;
         if (instance.identity) {
-            model(*instance.model, rays, lanes, query);
+            model(reached(instance), rays, lanes, query);
         } else {
             Rays local;
             transformRays(instance, rays, local);
-            model(*instance.model, local, lanes, query);
+            model(reached(instance), local, lanes, query);
         }
         --query.currentLevels;
     }

@@ -79,7 +79,7 @@ private:
         for (int v = 0; v < kTileVectors; ++v)
             query[v].currentPath[query[v].currentLevels++] = number;
         if (instance.identity) {
-            model(*instance.model, tile, lanes, query, more);
+            model(reached(instance), tile, lanes, query, more);
         } else {
             RayTile local;
             for (int v = 0; v < kTileVectors; ++v)
@@ -91,7 +91,7 @@ private:
             }
             local.startsThere = tile.startsThere;
             if (!tile.startsThere) __builtin_memcpy(local.last, tile.last, sizeof local.last);
-            model(*instance.model, local, lanes, query, more);
+            model(reached(instance), local, lanes, query, more);
         }
         for (int v = 0; v < kTileVectors; ++v) --query[v].currentLevels;
     }

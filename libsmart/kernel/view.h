@@ -46,6 +46,12 @@ struct WideView : BoxView {
 
 struct ModelView;
 
+/// Of a model whose trees are built when the first ray comes.
+struct DeferredView {
+    /// What rays walk in the model; lasts as long as building does. Called by any thread.
+    const ModelView* (*reach)(const DeferredView&);
+};
+
 /// What an inverse matrix X of M, and rays transformed by it, are off by. In the largest component,
 /// for any vector y: |M^-1 y - X y| <= relative * |X y|, |X y| <= norm * |y|.
 struct InverseBound {
@@ -83,6 +89,8 @@ struct ModelView {
     uint32_t wideReady;
     /// Of a scene, not 0: of hits at equal distance the last one counts, not the first.
     uint32_t lastOfEqual;
+    /// nullptr unless rays are to ask for the view to walk. All but trees and records is here.
+    const DeferredView* deferred;
 };
 
 /// The box of a model's own triangles.

@@ -14,6 +14,7 @@
 #endif
 
 #include "libsmart/base/fp_environment.h"
+#include "libsmart/geometry/model.h"
 
 namespace smart {
 namespace {
@@ -65,6 +66,8 @@ void work(TileSource& source, const Tracer& tracer) {
         } catch (...) {
             failure = std::current_exception();
         }
+        const std::exception_ptr unbuilt = takeBuildFailure();
+        if (!failure) failure = unbuilt;
         if (failure)
             source.failed(job, std::move(failure));
         else

@@ -169,10 +169,8 @@ private:
     const bool wantsNormal_, wantsChain_;
 };
 
-} // namespace
-
-void intersect(const Scene& scene, const RayStream& rays, const HitStream& hits, std::size_t count,
-               Coherence coherence) {
+void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& hits,
+                   std::size_t count, Coherence coherence) {
     const FpEnvironment standard;
     const int precision = int(scene.precision());
     const RayReader reader(rays);
@@ -205,8 +203,8 @@ void intersect(const Scene& scene, const RayStream& rays, const HitStream& hits,
     }
 }
 
-void occluded(const Scene& scene, const RayStream& rays, uint8_t* blocked, std::size_t count,
-              Coherence coherence) {
+void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, std::size_t count,
+                 Coherence coherence) {
     const FpEnvironment standard;
     const int precision = int(scene.precision());
     const RayReader reader(rays);
@@ -233,6 +231,25 @@ void occluded(const Scene& scene, const RayStream& rays, uint8_t* blocked, std::
             blocked[first + lane] = (masks[lane / kLanes] >> (lane % kLanes)) & 1;
         }
     }
+}
+
+/// Of lazy models that the rays came to.
+void throwBuildFailure() {
+    if (const std::exception_ptr failure = takeBuildFailure()) std::rethrow_exception(failure);
+}
+
+} // namespace
+
+void intersect(const Scene& scene, const RayStream& rays, const HitStream& hits, std::size_t count,
+               Coherence coherence) {
+    intersectRays(scene, rays, hits, count, coherence);
+    throwBuildFailure();
+}
+
+void occluded(const Scene& scene, const RayStream& rays, uint8_t* blocked, std::size_t count,
+              Coherence coherence) {
+    occludeRays(scene, rays, blocked, count, coherence);
+    throwBuildFailure();
 }
 
 } // namespace smart

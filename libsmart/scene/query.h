@@ -34,6 +34,8 @@ struct HitStream {
 
 enum class Coherence { Coherent, Incoherent };
 
+/// Rays that reach a lazy model build its trees. What keeps them from that, such as a lack of
+/// memory, is thrown at the end; rays went through the model then.
 void intersect(const Scene&, const RayStream&, const HitStream&, std::size_t count, Coherence);
 /// blocked[i] = 1 or 0
 void occluded(const Scene&, const RayStream&, uint8_t* blocked, std::size_t count, Coherence);

@@ -27,23 +27,26 @@ private:
     void add(const Model& model) {
         statistics.triangles += model.triangles.size();
         statistics.droppedTriangles += model.droppedTriangles;
-        statistics.bytes += model.bytes();
-        add(model.tree);
+        statistics.bytes += model.ownBytes();
+        if (seen_.insert(model.sharedShading.get()).second)
+            statistics.bytes += model.shading.bytes();
+        if (seen_.insert(model.sharedChildren.get()).second)
+            statistics.bytes += model.children.bytes();
+        add(model.treeSizes());
         add(model.children);
     }
-    void add(const WideTree& tree) {
-        statistics.nodes += tree.nodes.size();
-        statistics.references += tree.prims.size();
-        for (const WideNode& node : tree.nodes)
-            for (const uint32_t child : node.child) statistics.leaves += child / kWideLeaf;
+    void add(const TreeSizes& sizes) {
+        statistics.nodes += sizes.nodes;
+        statistics.leaves += sizes.leaves;
+        statistics.references += sizes.references;
     }
-    void add(const KdTree& tree) {
-        statistics.nodes += tree.nodes.size();
-        statistics.references += tree.prims.size();
-        statistics.leaves += (tree.nodes.size() + 1) / 2; // inner nodes have two children
+    void add(const WideTree& tree) {
+        TreeSizes sizes;
+        sizes.add(std::span(tree.nodes));
+        add(sizes);
     }
 
-    std::unordered_set<const Model*> seen_;
+    std::unordered_set<const void*> seen_; ///< models, and what they share
 };
 
 } // namespace
@@ -60,7 +63,18 @@ Scene::Scene(std::vector<Instance> instances, Precision precision, unsigned thre
             if (instance.model) instance.model->prepareFastRecords();
         }
     }
+    if (modelsAreReady()) prepareTiles();
     buildSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool Scene::modelsAreReady() const {
+    const Model* last = nullptr;
+    for (const Instance& instance : group_.instances()) {
+        if (instance.model && instance.model.get() != last && !instance.model->readyForTiles())
+            return false;
+        last = instance.model.get();
+    }
+    return true;
 }
 
 void Scene::prepareTiles() const {

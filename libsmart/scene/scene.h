@@ -39,6 +39,9 @@ public:
     double buildSeconds() const { return buildSeconds_; } ///< of the top level
 
 private:
+    /// Whether prepareTiles() has nothing to make.
+    bool modelsAreReady() const;
+
     InstanceGroup group_;
     ModelView view_{};
     mutable ModelView preparedView_{}; ///< once tilesReady_

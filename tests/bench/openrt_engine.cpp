@@ -181,7 +181,7 @@ ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision
     ModelBuilder builder;
     builder.triangles = triangles;
     const auto start = std::chrono::steady_clock::now();
-    KdBuildOptions options;
+    ModelBuildOptions options;
     options.threads = threads;
     Instance instance;
     instance.model = std::move(builder).build(options);

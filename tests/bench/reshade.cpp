@@ -67,7 +67,7 @@ ReshadeReport measureReshading(const std::vector<Triangle>& triangles, uint32_t 
     builder.shading.shaders = {0, 1};
     builder.shading.slots.resize(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) builder.shading.slots[i] = uint32_t(i % 2);
-    KdBuildOptions options;
+    ModelBuildOptions options;
     options.threads = threads;
     const ModelPtr model = std::move(builder).build(options);
 

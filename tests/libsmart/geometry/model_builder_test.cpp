@@ -48,12 +48,12 @@ TEST(ModelBuilderTest, DroppedTrianglesKeepTheirNumbers) {
     const ModelPtr model = std::move(builder).build();
     EXPECT_EQ(model->droppedTriangles, dropped);
     EXPECT_EQ(model->triangles.size(), count);
-    EXPECT_EQ(referenced(model->tree), expected);
+    EXPECT_EQ(referenced(model->kdTree()), expected);
     for (int k = 0; k < 3; ++k) {
         EXPECT_NEAR(model->bounds.lo[k], -1, 0.1);
         EXPECT_NEAR(model->bounds.hi[k], 1, 0.1);
     }
-    EXPECT_GT(model->treeEvents, 0u);
+    EXPECT_GT(model->treeEvents(), 0u);
 }
 
 TEST(ModelBuilderTest, ViewShowsTheModel) {
@@ -63,14 +63,14 @@ TEST(ModelBuilderTest, ViewShowsTheModel) {
     const ModelView& view = model->view();
     EXPECT_EQ(view.triangles, model->triangles.data());
     EXPECT_EQ(view.records, nullptr);
-    EXPECT_EQ(view.tree.nodes, model->tree.nodes.data());
-    EXPECT_EQ(view.tree.prims, model->tree.prims.data());
+    EXPECT_EQ(view.tree.nodes, model->kdTree().nodes.data());
+    EXPECT_EQ(view.tree.prims, model->kdTree().prims.data());
     EXPECT_EQ(view.childCount, 0u);
     EXPECT_EQ(view.childTree.nodes, nullptr);
     float largest = 0;
     for (int k = 0; k < 3; ++k) {
-        EXPECT_EQ(view.tree.lo[k], model->tree.bounds.lo[k]);
-        EXPECT_EQ(view.tree.hi[k], model->tree.bounds.hi[k]);
+        EXPECT_EQ(view.tree.lo[k], model->kdTree().bounds.lo[k]);
+        EXPECT_EQ(view.tree.hi[k], model->kdTree().bounds.hi[k]);
         largest = std::max({largest, -view.tree.lo[k], view.tree.hi[k]});
     }
     EXPECT_EQ(view.tree.maxAbs, largest);
@@ -135,15 +135,15 @@ TEST(ModelBuilderTest, ShadingIsKeptAsGiven) {
 TEST(ModelBuilderTest, ThreadsDoNotChangeTheTree) {
     ModelBuilder one, two;
     one.triangles = two.triangles = test::bumpySphere(4000);
-    KdBuildOptions options;
+    ModelBuildOptions options;
     const ModelPtr a = std::move(one).build(options);
     options.threads = 2;
     const ModelPtr b = std::move(two).build(options);
-    EXPECT_EQ(a->tree.prims, b->tree.prims);
-    ASSERT_EQ(a->tree.nodes.size(), b->tree.nodes.size());
-    for (std::size_t i = 0; i < a->tree.nodes.size(); ++i) {
-        EXPECT_EQ(a->tree.nodes[i].bits, b->tree.nodes[i].bits);
-        EXPECT_EQ(a->tree.nodes[i].firstPrim, b->tree.nodes[i].firstPrim);
+    EXPECT_EQ(a->kdTree().prims, b->kdTree().prims);
+    ASSERT_EQ(a->kdTree().nodes.size(), b->kdTree().nodes.size());
+    for (std::size_t i = 0; i < a->kdTree().nodes.size(); ++i) {
+        EXPECT_EQ(a->kdTree().nodes[i].bits, b->kdTree().nodes[i].bits);
+        EXPECT_EQ(a->kdTree().nodes[i].firstPrim, b->kdTree().nodes[i].firstPrim);
     }
 }
 

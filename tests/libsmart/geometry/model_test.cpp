@@ -100,6 +100,75 @@ TEST(ModelTest, RecordsAreMadeOnceHereAndInNestedModels) {
     EXPECT_EQ(leaf->view().records, records);
 }
 
+TEST(ModelTest, QualityChoosesTheTrees) {
+    const std::vector<Triangle> triangles = test::bumpySphere(2000);
+    const auto build = [&](BuildQuality quality, bool lazy) {
+        ModelBuilder builder;
+        builder.triangles = triangles;
+        return std::move(builder).build({quality, lazy, 2, nullptr});
+    };
+    const ModelPtr nicest = build(BuildQuality::Nicest, false);
+    EXPECT_NE(nicest->view().tree.nodes, nullptr);
+    EXPECT_EQ(nicest->view().wide.nodes, nullptr);
+    EXPECT_FALSE(nicest->readyForTiles());
+    nicest->prepareTiles();
+    EXPECT_NE(nicest->view().wide.nodes, nullptr);
+    for (const BuildQuality quality : {BuildQuality::DontCare, BuildQuality::Fastest}) {
+        const ModelPtr model = build(quality, false);
+        EXPECT_TRUE(model->treesBuilt() && model->readyForTiles());
+        EXPECT_EQ(model->view().tree.nodes, nullptr);
+        EXPECT_EQ(model->view().deferred, nullptr);
+        ASSERT_NE(model->view().wide.nodes, nullptr);
+        EXPECT_EQ(model->treeSizes().references, triangles.size());
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_EQ(model->bounds.lo[k], nicest->bounds.lo[k]);
+            EXPECT_EQ(model->view().wide.hi[k], nicest->bounds.hi[k]);
+        }
+    }
+}
+
+TEST(ModelTest, ALazyModelIsBuiltOnceByTheThreadThatComesFirst) {
+    for (const BuildQuality quality :
+         {BuildQuality::Nicest, BuildQuality::DontCare, BuildQuality::Fastest}) {
+        ModelBuilder builder;
+        builder.triangles = test::bumpySphere(3000);
+        const auto memory = std::make_shared<MemoryCounter>();
+        ModelPtr model = std::move(builder).build({quality, true, 1, memory});
+        const uint64_t before = memory->bytes();
+        ASSERT_NE(model->view().deferred, nullptr);
+        EXPECT_FALSE(model->treesBuilt());
+        EXPECT_TRUE(model->readyForTiles()) << "nothing is to be made before a ray comes";
+        EXPECT_FALSE(model->bounds.empty());
+        model->prepareTiles();
+        EXPECT_FALSE(model->treesBuilt());
+        EXPECT_EQ(model->treeSizes().nodes, 0u);
+
+        const ModelView* seen[6] = {};
+        std::vector<std::thread> threads;
+        for (const ModelView*& view : seen)
+            threads.emplace_back([&view, &model] {
+                const DeferredView& deferred = *model->view().deferred;
+                view = deferred.reach(deferred);
+                model->prepareFastRecords();
+                EXPECT_GT(model->treeSizes().nodes, 0u);
+            });
+        for (std::thread& thread : threads) thread.join();
+        EXPECT_TRUE(model->treesBuilt());
+        for (const ModelView* view : seen) EXPECT_EQ(view, seen[0]);
+        EXPECT_EQ(seen[0]->deferred, nullptr);
+        EXPECT_EQ(seen[0]->triangles, model->triangles.data());
+        EXPECT_NE(seen[0]->wide.nodes, nullptr);
+        EXPECT_NE(seen[0]->records, nullptr);
+        EXPECT_EQ(seen[0]->tree.nodes != nullptr, quality == BuildQuality::Nicest);
+        EXPECT_EQ(takeBuildFailure(), nullptr);
+        EXPECT_GT(memory->bytes(), before);
+        EXPECT_EQ(memory->bytes(), model->ownBytes() + sizeof(ShadingData) +
+                                       model->shading.bytes() + sizeof(InstanceGroup));
+        model.reset();
+        EXPECT_EQ(memory->bytes(), 0u);
+    }
+}
+
 TEST(ModelTest, BytesCountWhatIsStored) {
     ModelBuilder builder;
     builder.triangles = test::icosphere(2);
@@ -108,8 +177,8 @@ TEST(ModelTest, BytesCountWhatIsStored) {
     builder.shading.firstNormal = 0;
     const ModelPtr model = std::move(builder).build();
     const std::size_t least = triangles * sizeof(Triangle) + 1000 * sizeof(glm::vec3) +
-                              model->tree.nodes.size() * sizeof(KdNode) +
-                              model->tree.prims.size() * sizeof(uint32_t);
+                              model->kdTree().nodes.size() * sizeof(KdNode) +
+                              model->kdTree().prims.size() * sizeof(uint32_t);
     EXPECT_GE(model->bytes(), least);
     EXPECT_LE(model->bytes(), 2 * least + sizeof(Model));
 }

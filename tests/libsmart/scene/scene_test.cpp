@@ -43,7 +43,7 @@ TEST(SceneTest, StatisticsCountEachModelOnce) {
                       Precision::Watertight, 1);
 
     SceneStatistics expected;
-    for (const KdTree* tree : {&inner->tree, &outer->tree}) {
+    for (const KdTree* tree : {&inner->kdTree(), &outer->kdTree()}) {
         expected.nodes += tree->nodes.size();
         expected.references += tree->prims.size();
         // In a binary tree of two children each, leaves are one more than inner nodes.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+#include "libsmart/accel/kd_tree.h"
+#include "libsmart/geometry/model.h"
+#include "libsmart/geometry/triangle_boxes.h"
+#include "libsmart/geometry/triangle_tree.h"
+
+namespace smart {
+
+/// The trees over a model's triangles and the records of the fast mode, with the view that shows
+/// them to kernels: made at once, or, of a lazy model, by the thread whose ray reaches it first.
+class ModelTrees : private DeferredView {
+public:
+    explicit ModelTrees(const ModelBuildOptions& options);
+    ModelTrees(const ModelTrees&) = delete;
+    ModelTrees& operator=(const ModelTrees&) = delete;
+
+    /// Looks at the triangles, and builds unless that is to wait. Throws std::bad_alloc.
+    void make(const std::vector<Triangle>& triangles);
+    /// The same for the triangles of another model after they have moved. There is no kd-tree over
+    /// them; the wide tree is refitted while it is not much worse than a new one.
+    void makeMoved(const std::vector<Triangle>& triangles, const ModelTrees& old);
+    /// Makes the view. The triangles have come to where they stay.
+    void show(const std::vector<Triangle>& triangles, const InstanceGroup& children);
+
+    const ModelView& view() const { return view_; }
+    const Aabb& bounds() const { return bounds_; }
+    uint32_t dropped() const { return dropped_; }
+    bool built() const { return ready_.load(std::memory_order_acquire) != nullptr; }
+    /// Empty where there is none, or none yet.
+    const KdTree& kdTree() const { return built() ? kdTree_ : kNoTree; }
+    uint64_t events() const { return events_; }
+    TreeSizes sizes() const;
+    std::size_t bytes() const { return std::size_t(counted_.bytes()); }
+
+    // What may be made later: thread-safe, while rays walk what exists. Of a lazy model with its
+    // trees.
+    bool hasWideTree() const;
+    void prepareWideTree();
+    void prepareRecords();
+
+private:
+    static const KdTree kNoTree;
+
+    static const ModelView* reach(const DeferredView& view);
+    TriangleBoxes survey(const std::vector<Triangle>& triangles);
+    void build(const std::vector<Triangle>& triangles, const TriangleBoxes& boxes);
+    /// Of a lazy model; the lock is held.
+    void buildDeferred();
+    TriangleTree buildWide(const std::vector<Triangle>& triangles,
+                           const TriangleBoxes& boxes) const;
+    void setWideTree(TriangleTree tree);
+    void makeRecords(ModelView& view);
+    void showTrees(ModelView& view) const;
+    void showWideTree(ModelView& view) const;
+    ModelView& shown() { return options_.lazy ? reached_ : view_; }
+
+    const ModelBuildOptions options_;
+    CountedBytes counted_;
+    const std::vector<Triangle>* triangles_ = nullptr;
+    Aabb bounds_;
+    uint32_t dropped_ = 0;
+    KdTree kdTree_;
+    TriangleTree wideTree_;
+    std::vector<TriangleRecord> records_;
+    TreeSizes kdSizes_, wideSizes_;
+    uint64_t events_ = 0;
+    ModelView view_{};    ///< what instances refer to
+    ModelView reached_{}; ///< of a lazy model: what its rays walk
+    std::mutex mutex_;    ///< of what is made later
+    std::atomic<const ModelView*> ready_{nullptr}; ///< the view with the trees, once there are any
+    std::atomic<bool> wideReady_{false};
+    bool wantsRecords_ = false;
+    bool moved_ = false;
+};
+
+} // namespace smart
