@@ -524,6 +524,38 @@ static void smoothness(void) {
     tellCovered(isNowhereOpen);
 }
 
+/* A mesh whose edges run through the centres of pixels: of the triangles that share an edge exactly
+ * one draws the pixel, whichever that is. */
+static void sharedEdges(void) {
+    static GLubyte pixels[kWindow][kWindow][3];
+    glColor3f(0.2f, 0.2f, 0.2f);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (int fan = 0; fan < 2; ++fan) {
+        beginCase(fan ? "shared_edges/fans" : "shared_edges/strips");
+        clearBoth();
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column) {
+                const GLfloat x = 4.5f + 8.0f * (GLfloat)column, y = 4.5f + 8.0f * (GLfloat)row;
+                glBegin(fan ? GL_TRIANGLE_FAN : GL_TRIANGLE_STRIP);
+                if (fan) glVertex2f(x + 4.0f, y + 4.0f);
+                glVertex2f(x, y);
+                glVertex2f(x + 8.0f, y);
+                if (fan) glVertex2f(x + 8.0f, y + 8.0f);
+                glVertex2f(x, y + 8.0f);
+                glVertex2f(fan ? x : x + 8.0f, fan ? y : y + 8.0f);
+                glEnd();
+            }
+        glReadPixels(0, 0, kWindow, kWindow, GL_RGB, GL_UNSIGNED_BYTE, pixels);
+        for (int row = 5; row < 28; ++row) { /* the outer edges are open */
+            for (int column = 5; column < 28; ++column)
+                putchar('0' + (pixels[row][column][0] + 20) / 51);
+            putchar('\n');
+        }
+    }
+    glDisable(GL_BLEND);
+}
+
 static void askQuestions(void) {
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -536,4 +568,5 @@ static void askQuestions(void) {
     textureEnvironment();
     lighting();
     smoothness();
+    sharedEdges();
 }
