@@ -63,6 +63,15 @@ def read_png(path):
     return width, height, rows
 
 
+def read_pfm(path):
+    """(width, height, rows of floats from the bottom) of a grey little-endian picture."""
+    kind, size, scale, data = path.read_bytes().split(b"\n", 3)
+    assert (kind, scale) == (b"Pf", b"-1.0")
+    width, height = map(int, size.split())
+    values = struct.unpack(f"<{width * height}f", data)
+    return width, height, [values[y * width:(y + 1) * width] for y in range(height)]
+
+
 class Offscreen(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
@@ -91,6 +100,26 @@ class Offscreen(unittest.TestCase):
             "arguments 0", "reshape 16 16", "visibility 1", "display 0 at 0 in 1",
             "timer 1 at 30", "display 1 at 40 in 1", "timer 2 at 60", "display 2 at 80 in 1"])
         self.check_frames(3)
+
+    def test_depth(self):
+        # The square lies halfway between the near and the far plane.
+        result = run("--rt-offscreen", "2", "--rt-depth", "depth%d.pfm", folder=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(sorted(f.name for f in self.folder.iterdir()),
+                         ["depth0.pfm", "depth1.pfm"])
+        for number in range(2):
+            width, height, rows = read_pfm(self.folder / f"depth{number}.pfm")
+            self.assertEqual((width, height), (16, 16))
+            for y, row in enumerate(rows):
+                for x, depth in enumerate(row):
+                    inside = x // 4 == number and y < 4
+                    self.assertEqual(depth, 0.5 if inside else 1.0, (number, x, y))
+
+    def test_depth_files_that_can_not_be_written(self):
+        result = run("--rt-offscreen", "1", "--rt-depth", "no/such/folder/%d.pfm",
+                     folder=self.folder)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no/such/folder/0.pfm", result.stderr)
 
     def test_single_buffered(self):
         result = run("single", "--rt-offscreen", "2", "--rt-output", "frame%03d.png",
@@ -146,6 +175,7 @@ class Offscreen(unittest.TestCase):
     def test_wrong_arguments_end_with_2(self):
         for wrong in (["--rt-offscreen"], ["--rt-offscreen", "x"], ["--rt-offscreen", "0"],
                       ["--rt-size", "axb", "--rt-offscreen", "1"], ["--rt-output", "a%d.png"],
+                      ["--rt-depth", "a%d.pfm"], ["--rt-offscreen", "2", "--rt-depth", "a.pfm"],
                       ["--rt-offscreen", "2", "--rt-output", "same.png"],
                       ["--rt-offscreen", "1", "--rt-output", "%s.png"], ["-geometry", "q"]):
             result = run(*wrong)
