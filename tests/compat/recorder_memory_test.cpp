@@ -179,7 +179,7 @@ TEST(RecorderMemory, AFailedStepChangesNothing) {
 
     ASSERT_TRUE(plain.frame && failing.frame);
     const InstanceGroup& expected = plain.frame->scene->group();
-    ASSERT_EQ(expected.instances().size(), 9u);
+    ASSERT_EQ(expected.instances().size(), 8u);
     expectEqualGroups(failing.frame->scene->group(), expected);
     expectEqualGroups(failing.query->group(), plain.query->group());
     EXPECT_EQ(failing.frame->textures->size(), plain.frame->textures->size());
