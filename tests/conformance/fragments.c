@@ -21,11 +21,11 @@ static void begin(const char* group, const char* first, const char* second) {
 
 static void rectangle(const GLfloat* color, GLfloat z) {
     glColor4fv(color);
-    glBegin(GL_QUADS);
+    glBegin(GL_TRIANGLE_STRIP); /* how a quad is split would be open */
     glVertex3f(4.25f, 4.25f, z);
     glVertex3f(27.75f, 4.25f, z);
-    glVertex3f(27.75f, 27.75f, z);
     glVertex3f(4.25f, 27.75f, z);
+    glVertex3f(27.75f, 27.75f, z);
     glEnd();
 }
 
@@ -276,7 +276,7 @@ static void textureEnvironment(void) {
     glDisable(GL_TEXTURE_2D);
 }
 
-/* A lit rectangle; `change` is what one case has that the others have not. */
+/* A lit rectangle, by itself and in a list; `change` is what one case has that others have not. */
 static void tellLit(const char* name, void (*change)(void)) {
     static const GLfloat ambient[4] = {0.1f, 0.2f, 0.3f, 1.0f}, diffuse[4] = {0.5f, 0.4f, 0.3f, 1.0f},
                          specular[4] = {0.3f, 0.4f, 0.2f, 1.0f},
@@ -297,9 +297,15 @@ static void tellLit(const char* name, void (*change)(void)) {
     glNormal3f(0.36f, 0.48f, 0.8f);
     change();
     rectangle(above, 0.0f);
+    tellPixel();
+    clearBoth();
+    glNewList(1, GL_COMPILE);
+    rectangle(above, 0.0f);
+    glEndList();
+    glCallList(1);
+    tellPixel();
     glPopMatrix();
     glPopAttrib();
-    tellPixel();
 }
 
 static void nothing(void) {}
