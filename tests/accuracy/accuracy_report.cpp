@@ -42,10 +42,6 @@ nlohmann::json jsonOf(const EngineTally& entry) {
     return line;
 }
 
-const char* nameOf(bench::Kind kind) {
-    return kind == bench::Kind::Primary ? "primary" : "shadow";
-}
-
 nlohmann::json jsonOf(const SceneSpeed& speed) {
     nlohmann::json root = {{"scene", speed.scene},
                            {"triangles", speed.triangles},
@@ -60,7 +56,7 @@ nlohmann::json jsonOf(const SceneSpeed& speed) {
                                    {"nanosecondsPerRay", engine.best()},
                                    {"repeats", engine.nanosecondsPerRay},
                                    {"wrong", engine.mistakes.wrong},
-                                   {"differAtEdges", engine.mistakes.edge}});
+                                   {"differAtEdges", engine.mistakes.ties}});
     }
     return root;
 }

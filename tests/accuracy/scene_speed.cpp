@@ -58,7 +58,7 @@ double threadSeconds() {
 }
 
 /// All engines in turn, `repeats` times over.
-std::vector<EngineSpeed> measure(const std::vector<Triangle>& triangles, const bench::RaySet& rays,
+std::vector<EngineSpeed> measure(const bench::Truth& truth, const bench::RaySet& rays,
                                  bench::Kind kind, std::span<const bench::EnginePtr> engines,
                                  unsigned repeats) {
     const std::size_t packets = rays.packets.size();
@@ -87,8 +87,8 @@ std::vector<EngineSpeed> measure(const std::vector<Triangle>& triangles, const b
         }
     }
     const std::vector<bench::Mistakes> mistakes =
-        kind == bench::Kind::Primary ? bench::judgeClosest(triangles, rays, found)
-                                     : bench::judgeAny(triangles, rays, engines, blocked);
+        kind == bench::Kind::Primary ? bench::judgeClosest(truth, rays, found)
+                                     : bench::judgeAny(truth, rays, blocked);
     for (std::size_t e = 0; e < engines.size(); ++e) speeds[e].mistakes = mistakes[e];
     return speeds;
 }
@@ -113,31 +113,36 @@ SceneSpeed measureScene(const SpeedOptions& options) {
         if (mode == int(Precision::Watertight)) watertight = scene;
         if (mode == int(Precision::Precise)) precise = scene;
         if (Precision(mode) != Precision::Precise) scene->prepareTiles();
-        for (bench::EnginePtr& engine : bench::openrtEngines(scene, Precision(mode), false))
+        for (bench::EnginePtr& engine :
+             bench::openrtEngines(scene, Precision(mode), Coherence::Coherent, false))
             for (const char* form : {" packet", " tile", " single"})
                 if (engine && engine->name().starts_with(std::string("openrt") + form))
                     engines.push_back(std::make_unique<Named>(
                         std::move(engine), std::string("openrt-") + modeName(mode) + form));
     }
 #ifdef OPENRT_BENCH_EMBREE
-    for (const bool robust : {false, true}) {
-        if (!options.embree) break;
-        auto made = bench::embreeEngines(triangles, robust, options.buildThreads);
-        for (std::size_t form = 0; form < 2; ++form) { // of the default build quality
-            const std::string name = std::string(robust ? "embree-robust" : "embree") +
-                                     (form == 0 ? " packet" : " single");
-            engines.push_back(std::make_unique<Named>(std::move(made[form]), name));
+    if (options.embree) {
+        for (bench::EnginePtr& engine :
+             bench::embreeEngines(triangles, options.buildThreads, "")) {
+            const std::string name = engine->name(), mode = engine->robust() ? "-robust" : "";
+            if (name.starts_with("embree 16 coherent arrays medium"))
+                engines.push_back(
+                    std::make_unique<Named>(std::move(engine), "embree" + mode + " packet"));
+            else if (name.starts_with("embree 1 incoherent arrays medium"))
+                engines.push_back(
+                    std::make_unique<Named>(std::move(engine), "embree" + mode + " single"));
         }
     }
 #endif
     const bench::RaySet primary = bench::primaryRays(options.view, options.size);
-    const bench::RaySet shadow =
-        bench::shadowRays(options.view, primary, watertight->view(), triangles);
+    const bench::RaySet shadow = bench::shadowRays(
+        options.view, bench::surfacePoints(primary, watertight->view(), triangles));
+    const bench::Truth truth(triangles);
     speed.primaryRays = primary.active;
     speed.shadowRays = shadow.active;
     for (const bench::Kind kind : {bench::Kind::Primary, bench::Kind::Shadow}) {
         const bench::RaySet& rays = kind == bench::Kind::Primary ? primary : shadow;
-        for (EngineSpeed& one : measure(triangles, rays, kind, engines, options.repeat))
+        for (EngineSpeed& one : measure(truth, rays, kind, engines, options.repeat))
             speed.engines.push_back(std::move(one));
     }
     countTests(*precise, primary, speed);

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Speeds count only where the answers are right: engines are compared ray by ray, and where they
-// differ the triangles that they name are asked.
+// differ the triangles are asked (truth.h).
 #pragma once
 
 #include <span>
 
 #include "tests/bench/engine.h"
+#include "tests/bench/truth.h"
 
 namespace smart::bench {
 
 struct Mistakes {
-    std::size_t wrong = 0; ///< contradicted by a triangle that the ray clearly crosses, or misses
-    std::size_t edge = 0;  ///< differs where the ray passes within 2^-14 of a triangle's edge
+    std::size_t wrong = 0;
+    std::size_t ties = 0; ///< right for a ray near the ray only: edges and silhouettes
 };
 
-/// found[e] are the answers of engine e.
-std::vector<Mistakes> judgeClosest(const std::vector<Triangle>& triangles, const RaySet& rays,
+/// found[e] are the answers of engine e. Rays on which all agree are judged now and then.
+std::vector<Mistakes> judgeClosest(const Truth& truth, const RaySet& rays,
                                    std::span<const std::vector<Found>> found);
 
-/// blocked[e] are the answers of engine e; for rays in dispute the engines name the triangles.
-std::vector<Mistakes> judgeAny(const std::vector<Triangle>& triangles, const RaySet& rays,
-                               std::span<const EnginePtr> engines,
+/// blocked[e] are the answers of engine e.
+std::vector<Mistakes> judgeAny(const Truth& truth, const RaySet& rays,
                                std::span<const std::vector<uint32_t>> blocked);
 
 /// More wrong answers than this share of the rays, and our speed means nothing.

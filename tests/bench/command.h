@@ -23,6 +23,8 @@ using Run = std::function<int()>;
 
 /// Each declares the options of its subcommand and returns what runs once they are parsed.
 Run addRays(CLI::App& app);
+Run addCases(CLI::App& app);
+Run addScale(CLI::App& app);
 Run addBuild(CLI::App& app);
 Run addFrame(CLI::App& app);
 Run addDynamic(CLI::App& app);

@@ -14,7 +14,9 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"rays", "primary and point-light shadow rays", addRays},
+    {"rays", "rays a second: camera, shadow, ambient occlusion and bounces", addRays},
+    {"cases", "rays that suit no packet, against the same rays one by one", addCases},
+    {"scale", "time against the number of triangles and of pixels", addScale},
     {"build", "build seconds and memory", addBuild},
     {"frame", "frames with a point light: packets, points, fixed shaders", addFrame},
     {"dynamic", "scenes that change: updates, trees and rays for each step", addDynamic},

@@ -123,9 +123,11 @@ private:
     }
 };
 
+/// The public query over arrays.
 class StreamEngine final : public OpenrtEngine {
 public:
-    using OpenrtEngine::OpenrtEngine;
+    StreamEngine(ScenePtr scene, Precision precision, Coherence coherence)
+        : OpenrtEngine(std::move(scene), precision), coherence_(coherence) {}
     void closest(const RaySet& rays, std::size_t first, std::size_t count,
                  Found* found) const override {
         constexpr std::size_t kBatch = 64; // packets
@@ -136,7 +138,7 @@ public:
         hits.primitive = triangle;
         for (std::size_t p = first, n = 0; p < first + count; p += n) {
             n = std::min(kBatch, first + count - p);
-            intersect(*scene_, stream(rays, p), hits, n * kPacketSize, Coherence::Coherent);
+            intersect(*scene_, stream(rays, p), hits, n * kPacketSize, coherence_);
             for (std::size_t i = 0; i < n; ++i) {
                 std::copy_n(t + i * kPacketSize, kPacketSize, found[p + i].t);
                 std::copy_n(triangle + i * kPacketSize, kPacketSize, found[p + i].triangle);
@@ -149,7 +151,7 @@ public:
         uint8_t flags[kBatch * kPacketSize];
         for (std::size_t p = first, n = 0; p < first + count; p += n) {
             n = std::min(kBatch, first + count - p);
-            occluded(*scene_, stream(rays, p), flags, n * kPacketSize, Coherence::Coherent);
+            occluded(*scene_, stream(rays, p), flags, n * kPacketSize, coherence_);
             for (std::size_t i = 0; i < n; ++i) {
                 blocked[p + i] = 0;
                 for (uint32_t lane = 0; lane < uint32_t(kPacketSize); ++lane) {
@@ -160,7 +162,9 @@ public:
     }
 
 private:
-    const char* form() const override { return "stream"; }
+    const char* form() const override {
+        return coherence_ == Coherence::Coherent ? "stream" : "stream incoherent";
+    }
     static RayStream stream(const RaySet& rays, std::size_t p) {
         const std::size_t at = p * kPacketSize;
         RayStream result{};
@@ -172,6 +176,7 @@ private:
         result.tFar = rays.tFar.data() + at;
         return result;
     }
+    const Coherence coherence_;
 };
 
 } // namespace
@@ -205,13 +210,18 @@ BuildReport prepareTiles(const Scene& scene) {
     return report;
 }
 
-std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision, bool plantError) {
+EnginePtr preciseEngine(const ScenePtr& scene) {
+    return std::make_unique<PacketEngine>(scene, Precision::Precise, false);
+}
+
+std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision,
+                                     Coherence coherence, bool plantError) {
     std::vector<EnginePtr> engines;
     engines.push_back(std::make_unique<PacketEngine>(scene, precision, plantError));
-    if (precision != Precision::Precise)
+    if (precision != Precision::Precise && coherence == Coherence::Coherent)
         engines.push_back(std::make_unique<TileEngine>(scene, precision));
     engines.push_back(std::make_unique<SingleEngine>(scene, precision));
-    engines.push_back(std::make_unique<StreamEngine>(scene, precision));
+    engines.push_back(std::make_unique<StreamEngine>(scene, precision, coherence));
     return engines;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "libsmart/scene/query.h"
 #include "libsmart/scene/scene.h"
 #include "tests/bench/engine.h"
 
@@ -13,8 +14,13 @@ ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision
 /// Makes what tiles of rays walk; seconds and bytes of that alone.
 BuildReport prepareTiles(const Scene& scene);
 
-/// Packets, tiles, single rays and the public ray stream, with the kernels that are selected now.
+/// Packets, single rays and the public query for rays of that coherence, and tiles where they are
+/// coherent, with the kernels that are selected now.
 /// plantError: every 1000th packet names a wrong triangle, so that the comparison can be proved.
-std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision, bool plantError);
+std::vector<EnginePtr> openrtEngines(const ScenePtr& scene, Precision precision,
+                                     Coherence coherence, bool plantError);
+
+/// Packets in precise mode, over a scene made for any mode.
+EnginePtr preciseEngine(const ScenePtr& scene);
 
 } // namespace smart::bench

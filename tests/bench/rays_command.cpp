@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 #include "tests/bench/command.h"
@@ -13,47 +15,112 @@
 namespace smart::bench {
 namespace {
 
+constexpr uint32_t kAoRays = 4;      // a hit
+constexpr double kAoReach = 0.1;     // of the diagonal
+
 struct Options {
     std::string scene, isa, precision = "watertight", json;
     ViewOptions view;
-    std::vector<std::string> peers;
+    std::vector<std::string> peers, kinds;
     uint32_t size = 1024;
     unsigned threads = processorCount(), repeat = 5;
+    uint64_t seed = 1;
     bool plantError = false;
+
+    bool wants(Kind kind) const {
+        return kinds.empty() || std::find(kinds.begin(), kinds.end(), nameOf(kind)) != kinds.end();
+    }
 };
+
+/// The same rays for the same seed, for every kind from the same camera rays.
+class RayMaker {
+public:
+    RayMaker(View view, uint32_t size, ScenePtr scene, const std::vector<Triangle>& triangles)
+        : view_(view), size_(size), scene_(std::move(scene)), triangles_(triangles),
+          reach_(float(kAoReach * diagonalOf(triangles))) {}
+
+    RaySet make(Kind kind, uint64_t seed) const {
+        RaySet primary = primaryRays(view_, size_, seed);
+        if (kind == Kind::Primary) return primary;
+        const std::vector<SurfacePacket> points =
+            surfacePoints(primary, scene_->view(), triangles_);
+        if (kind == Kind::Shadow) return shadowRays(view_, points);
+        if (kind == Kind::Ao) return diffuseRays(points, kAoRays, reach_, seed);
+        return diffuseRays(points, 1, std::numeric_limits<float>::infinity(), seed);
+    }
+
+private:
+    const View view_;
+    const uint32_t size_;
+    const ScenePtr scene_;
+    const std::vector<Triangle>& triangles_;
+    const float reach_;
+};
+
+/// Of every kCountEvery-th packet.
+RayCounts countOf(Kind kind, const RaySet& rays, const Scene& scene) {
+    constexpr std::size_t kCountEvery = 16;
+    RayCounts counts;
+    counts.kind = kind;
+    const auto trace = kernels().intersectCounted[int(scene.precision())];
+    HitPacket hits;
+    for (std::size_t p = 0; p < rays.packets.size(); p += kCountEvery) {
+        RayPacket packet = rays.packets[p];
+        const uint32_t active = packet.active;
+        if (active == 0) continue;
+        trace(scene.view(), packet, hits, counts.together);
+        ++counts.packets;
+        for (int lane = 0; lane < kPacketSize; ++lane) {
+            packet.active = active & 1u << lane;
+            if (packet.active == 0) continue;
+            trace(scene.view(), packet, hits, counts.alone);
+            ++counts.rays;
+        }
+    }
+    return counts;
+}
 
 int run(const Options& options) {
     selectIsa(options.isa);
     Report report;
     report.scene = options.scene;
+    report.isa = kernels().name;
+    report.precision = options.precision;
+    report.size = options.size;
     const std::vector<Triangle> triangles = readTriangles(options.scene);
     report.triangles = triangles.size();
-    const View view = options.view.view();
     const Precision precision = precisionOf(options.precision);
+    showProgress("what the machine can do");
+    report.limits = measureLimits();
     showProgress("building");
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, precision, options.threads, built);
     report.builds.push_back({"openrt", options.threads, built});
     if (precision != Precision::Precise)
-        report.builds.push_back({"openrt, for tiles beside it", 1, prepareTiles(*scene)});
-    std::vector<EnginePtr> engines = openrtEngines(scene, precision, options.plantError);
+        report.builds.push_back({"openrt, wide tree beside it", 1, prepareTiles(*scene)});
+    std::vector<EnginePtr> peers;
 #ifdef OPENRT_BENCH_EMBREE
-    for (const bool robust : {false, true}) {
-        if (!wantsEmbree(options.peers)) continue;
-        for (EnginePtr& engine : embreeEngines(triangles, robust, options.threads)) {
-            engines.push_back(std::move(engine));
-        }
-    }
+    if (wantsEmbree(options.peers)) peers = embreeEngines(triangles, options.threads, options.isa);
 #endif
-    showProgress("making rays");
-    const RaySet primary = primaryRays(view, options.size);
-    const RaySet shadow = shadowRays(view, primary, scene->view(), triangles);
-    for (const Kind kind : {Kind::Primary, Kind::Shadow}) {
-        const RaySet& rays = kind == Kind::Primary ? primary : shadow;
-        for (const unsigned threads : threadCounts(options.threads)) {
-            report.series.push_back(
-                measure(triangles, rays, kind, engines, threads, options.repeat, showProgress));
-        }
+    const RayMaker maker(options.view.view(), options.size, scene, triangles);
+    const Truth truth(triangles);
+    const EnginePtr referee = preciseEngine(scene);
+    for (const Kind kind : kKinds) {
+        if (!options.wants(kind)) continue;
+        std::vector<EnginePtr> engines = openrtEngines(
+            scene, precision, coherent(kind) ? Coherence::Coherent : Coherence::Incoherent,
+            options.plantError);
+        const std::size_t ours = engines.size();
+        for (EnginePtr& peer : peers) engines.push_back(std::move(peer));
+        const Plan plan{kind,
+                        [&](uint64_t repeat) {
+                            return maker.make(kind, repeat * options.seed);
+                        },
+                        threadCounts(options.threads), options.repeat, referee.get()};
+        report.counts.push_back(countOf(kind, maker.make(kind, 0), *scene));
+        for (Series& series : measure(truth, plan, engines, showProgress))
+            report.series.push_back(std::move(series));
+        for (std::size_t i = 0; i < peers.size(); ++i) peers[i] = std::move(engines[ours + i]);
     }
     showProgress("");
     std::cout << report;
@@ -74,6 +141,11 @@ Run addRays(CLI::App& app) {
     addPrecision(app, options->precision);
     addPeers(app, options->peers);
     addJson(app, options->json);
+    app.add_option("--kinds", options->kinds, "of rays: primary, shadow, ao, bounce; all if none")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"primary", "shadow", "ao", "bounce"}));
+    app.add_option("--seed", options->seed, "of the places in pixels and of diffuse rays")
+        ->capture_default_str();
     app.add_flag("--plant-error", options->plantError,
                  "name wrong triangles now and then, to prove the comparison");
     return [options] { return run(*options); };

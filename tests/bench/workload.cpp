@@ -2,6 +2,7 @@
 #include "tests/bench/workload.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -76,8 +77,15 @@ void RaySet::add(const RayPacket& packet) {
     }
 }
 
-RaySet primaryRays(const View& view, uint32_t size) {
-    const std::vector<Ray> rays = test::cameraRays(view.camera, size, size);
+void RaySet::add(std::span<const Ray> rays) {
+    for (std::size_t first = 0; first < rays.size(); first += kPacketSize)
+        add(test::packet(rays, first));
+}
+
+RaySet primaryRays(const View& view, uint32_t size, uint64_t seed) {
+    test::Random random(seed);
+    const double x = seed == 0 ? 0 : random.unit() - 0.5, y = seed == 0 ? 0 : random.unit() - 0.5;
+    const std::vector<Ray> rays = test::cameraRays(view.camera, size, size, x, y);
     const uint32_t side = size / 4;
     std::vector<uint32_t> order(std::size_t(side) * side);
     for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -94,44 +102,64 @@ RaySet primaryRays(const View& view, uint32_t size) {
     return set;
 }
 
-RaySet shadowRays(const View& view, const RaySet& primary, const ModelView& scene,
-                  const std::vector<Triangle>& triangles) {
-    RaySet set;
-    RayPacket block[kTilePackets];
-    uint32_t filled = 0;
-    for (const RayPacket& packet : primary.packets) {
+std::vector<SurfacePacket> surfacePoints(const RaySet& primary, const ModelView& scene,
+                                         const std::vector<Triangle>& triangles) {
+    std::vector<SurfacePacket> points(primary.packets.size());
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const RayPacket& packet = primary.packets[p];
         HitPacket hits;
         kernels().intersect[int(Precision::Watertight)](scene, packet, hits);
-        RayPacket shadow{};
         for (int lane = 0; lane < kPacketSize; ++lane) {
             if (!(packet.active >> lane & 1) || hits.triangle[lane] == kNoHit) continue;
             const Triangle& triangle = triangles[hits.triangle[lane]];
             const double u = hits.u[lane], v = hits.v[lane];
-            double point[3], normal[3], toLight[3], facing = 0, lit = 0, square = 0, largest = 0;
+            double position[3], normal[3], facing = 0, square = 0, largest = 0;
             for (int k = 0; k < 3; ++k) {
                 const int i = (k + 1) % 3, j = (k + 2) % 3;
-                point[k] = (1 - u - v) * triangle.v0[k] + u * triangle.v1[k] + v * triangle.v2[k];
+                position[k] =
+                    (1 - u - v) * triangle.v0[k] + u * triangle.v1[k] + v * triangle.v2[k];
                 normal[k] = (double(triangle.v1[i]) - triangle.v0[i]) *
                                 (double(triangle.v2[j]) - triangle.v0[j]) -
                             (double(triangle.v1[j]) - triangle.v0[j]) *
                                 (double(triangle.v2[i]) - triangle.v0[i]);
                 facing += normal[k] * packet.dir[k][lane];
                 square += normal[k] * normal[k];
-                largest = std::max(largest, std::abs(point[k]));
+                largest = std::max(largest, std::abs(position[k]));
             }
-            const double scale = (facing > 0 ? -1 : 1) * 4 * 0x1p-23 * largest / std::sqrt(square);
+            const double scale = (facing > 0 ? -1 : 1) / std::sqrt(square);
+            SurfacePoint& point = points[p].point[lane];
             for (int k = 0; k < 3; ++k) {
-                shadow.org[k][lane] = float(point[k] + scale * normal[k]);
-                toLight[k] = view.light[k] - double(shadow.org[k][lane]);
-                shadow.dir[k][lane] = float(toLight[k]);
-                lit += toLight[k] * normal[k];
+                point.normal[k] = scale * normal[k];
+                point.position[k] = float(position[k] + 4 * 0x1p-23 * largest * point.normal[k]);
             }
-            if (lit * facing >= 0) continue; // seen from the front, lit from behind
+            points[p].seen |= 1u << lane;
+        }
+    }
+    return points;
+}
+
+RaySet shadowRays(const View& view, std::span<const SurfacePacket> points) {
+    RaySet set;
+    RayPacket block[kTilePackets];
+    uint32_t filled = 0;
+    for (const SurfacePacket& packet : points) {
+        RayPacket shadow{};
+        for (int lane = 0; lane < kPacketSize; ++lane) {
+            if (!(packet.seen >> lane & 1)) continue;
+            const SurfacePoint& point = packet.point[lane];
+            double lit = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double toLight = view.light[k] - double(point.position[k]);
+                shadow.org[k][lane] = point.position[k];
+                shadow.dir[k][lane] = float(toLight);
+                lit += toLight * point.normal[k];
+            }
+            if (lit <= 0) continue; // seen from the front, lit from behind
             shadow.tFar[lane] = 1;
             shadow.active |= 1u << lane;
         }
         block[filled++] = shadow;
-        if (filled < kTilePackets && &packet != &primary.packets.back()) continue;
+        if (filled < kTilePackets && &packet != &points.back()) continue;
         // Blocks stay together, but for those without a ray.
         const bool any = std::any_of(block, block + filled,
                                      [](const RayPacket& p) { return p.active != 0; });
@@ -139,6 +167,50 @@ RaySet shadowRays(const View& view, const RaySet& primary, const ModelView& scen
         filled = 0;
     }
     return set;
+}
+
+RaySet diffuseRays(std::span<const SurfacePacket> points, uint32_t count, float tFar,
+                   uint64_t seed) {
+    test::Random random(seed);
+    std::vector<Ray> rays;
+    for (const SurfacePacket& packet : points) {
+        for (int lane = 0; lane < kPacketSize; ++lane) {
+            if (!(packet.seen >> lane & 1)) continue;
+            const SurfacePoint& point = packet.point[lane];
+            for (uint32_t i = 0; i < count; ++i) {
+                // Normal plus a point of the unit sphere has the cosine's distribution.
+                const std::array<double, 3> sphere = random.onSphere();
+                Ray ray{{}, {}, 0, tFar};
+                double direction[3], square = 0;
+                for (int k = 0; k < 3; ++k) {
+                    direction[k] = point.normal[k] + 0.999 * sphere[std::size_t(k)];
+                    square += direction[k] * direction[k];
+                }
+                for (int k = 0; k < 3; ++k) {
+                    ray.org[k] = point.position[k];
+                    ray.dir[k] = float(direction[k] / std::sqrt(square));
+                }
+                rays.push_back(ray);
+            }
+        }
+    }
+    RaySet set;
+    set.packets.reserve(rays.size() / kPacketSize + 1);
+    set.add(rays);
+    return set;
+}
+
+double diagonalOf(const std::vector<Triangle>& triangles) {
+    double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (const Triangle& triangle : triangles) {
+        for (const float* v : {triangle.v0, triangle.v1, triangle.v2}) {
+            for (int k = 0; k < 3; ++k) {
+                lo[k] = std::min(lo[k], double(v[k]));
+                hi[k] = std::max(hi[k], double(v[k]));
+            }
+        }
+    }
+    return triangles.empty() ? 0 : std::hypot(hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]);
 }
 
 } // namespace smart::bench

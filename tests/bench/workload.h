@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct View {
 /// Throws std::runtime_error.
 View readView(const std::string& file, const std::string& name);
 
+/// What is asked about a ray: its nearest hit, or whether there is one.
+enum class Query { Closest, Any };
+
 /// Rays in two forms with the same numbers: packets, and arrays of all lanes one after another.
 /// Lanes that are not active have limits out of order in the arrays.
 struct RaySet {
@@ -33,14 +37,36 @@ struct RaySet {
     std::size_t active = 0;
 
     void add(const RayPacket& packet);
+    void add(std::span<const Ray> rays); ///< sixteen a packet
 };
 
-/// One ray a pixel, packets of 4x4 pixels, packets in Morton order.
-RaySet primaryRays(const View& view, uint32_t size);
+/// One ray a pixel, packets of 4x4 pixels, packets in Morton order. All go through one place of
+/// their pixels, which `seed` chooses; 0 is the centre.
+RaySet primaryRays(const View& view, uint32_t size, uint64_t seed = 0);
 
-/// From what the primary rays hit, where that faces the light, to the light: t = 1. Origins lie
-/// 4 units in the last place off the surface.
-RaySet shadowRays(const View& view, const RaySet& primary, const ModelView& scene,
-                  const std::vector<Triangle>& triangles);
+/// Where a primary ray ends: 4 units in the last place off the surface, on the ray's side.
+struct SurfacePoint {
+    float position[3];
+    double normal[3]; ///< of length 1, on the ray's side
+};
+
+/// What the primary rays see. Points of a packet lie at its lanes; `seen` tells which there are.
+struct SurfacePacket {
+    SurfacePoint point[kPacketSize];
+    uint32_t seen = 0;
+};
+std::vector<SurfacePacket> surfacePoints(const RaySet& primary, const ModelView& scene,
+                                         const std::vector<Triangle>& triangles);
+
+/// From the points that face the light to the light: t = 1.
+RaySet shadowRays(const View& view, std::span<const SurfacePacket> points);
+
+/// `count` rays a point, those of a point adjacent, with the cosine's distribution, as far as
+/// tFar; directions are of length 1.
+RaySet diffuseRays(std::span<const SurfacePacket> points, uint32_t count, float tFar,
+                   uint64_t seed);
+
+/// Of the box around all corners.
+double diagonalOf(const std::vector<Triangle>& triangles);
 
 } // namespace smart::bench

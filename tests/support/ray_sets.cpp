@@ -166,7 +166,8 @@ std::vector<Ray> axisParallelRays(double halfSize, double step, std::size_t coun
     return rays;
 }
 
-std::vector<Ray> cameraRays(const CameraPose& pose, uint32_t width, uint32_t height) {
+std::vector<Ray> cameraRays(const CameraPose& pose, uint32_t width, uint32_t height, double dx,
+                            double dy) {
     double forward[3], right[3], up[3];
     const auto normalise = [](double* v) {
         const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -191,8 +192,8 @@ std::vector<Ray> cameraRays(const CameraPose& pose, uint32_t width, uint32_t hei
         for (uint32_t i = 0; i < 16; ++i) {
             const uint32_t px = block % (width / 4) * 4 + i % 4,
                            py = block / (width / 4) * 4 + i / 4;
-            const double x = (2 * (px + 0.5) / width - 1) * wide;
-            const double y = (2 * (py + 0.5) / height - 1) * high;
+            const double x = (2 * (px + 0.5 + dx) / width - 1) * wide;
+            const double y = (2 * (py + 0.5 + dy) / height - 1) * high;
             double target[3];
             for (int k = 0; k < 3; ++k) {
                 target[k] = pose.eye[k] + forward[k] + x * right[k] + y * up[k];

@@ -60,9 +60,10 @@ struct CameraPose {
     double fov; ///< vertical, degrees
 };
 
-/// One ray through each pixel centre, in blocks of 4x4 pixels, block after block: the order of
-/// packets. Width and height are multiples of 4.
-std::vector<Ray> cameraRays(const CameraPose& pose, uint32_t width, uint32_t height);
+/// One ray through each pixel, (dx, dy) pixels off its centre, in blocks of 4x4 pixels, block after
+/// block: the order of packets. Width and height are multiples of 4.
+std::vector<Ray> cameraRays(const CameraPose& pose, uint32_t width, uint32_t height, double dx = 0,
+                            double dy = 0);
 
 /// Rays first..first+15 as a packet; missing ones are inactive.
 RayPacket packet(std::span<const Ray> rays, std::size_t first);
