@@ -62,6 +62,11 @@ RTAPI RTuint RTAPIENTRY rtQueueFrame(void) {
     return guardedOr<RTuint>(RT_INVALID, __func__, [](Context& c) { return c.frames().queue(); });
 }
 
+RTAPI RTuint RTAPIENTRY rtQueueView(void) {
+    return guardedOr<RTuint>(RT_INVALID, __func__,
+                             [](Context& c) { return c.frames().queueView(); });
+}
+
 RTAPI void RTAPIENTRY rtFrameDepth(RTuint n) {
     guarded(__func__, [&](Context& c) {
         c.recorder().requireOutsidePrimitive();

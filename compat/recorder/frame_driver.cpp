@@ -38,10 +38,14 @@ const PixelTarget& FrameDriver::applicationTarget() const {
     return recorder_.frameSettings().target;
 }
 
+QueuedFramePtr FrameDriver::submit(const PixelTarget& target, uint32_t* id) {
+    return submit(recorder_.makeFrame(keepsDepth_ && target.memory ? withDepth(target) : target),
+                  id);
+}
+
 // Everything that may fail comes first; a listener may hear of the frame before this returns.
-QueuedFramePtr FrameDriver::submit(const PixelTarget& given, uint32_t* id) {
-    const PixelTarget target = keepsDepth_ && given.memory ? withDepth(given) : given;
-    const std::shared_ptr<Frame> frame = recorder_.makeFrame(target);
+QueuedFramePtr FrameDriver::submit(const std::shared_ptr<Frame>& frame, uint32_t* id) {
+    const PixelTarget& target = frame->target;
     if (ownPixels_ && target.memory == ownPixels_->data()) frame->keepAlive.push_back(ownPixels_);
     if (ownDepth_ && target.aux.depth == ownDepth_->data()) frame->keepAlive.push_back(ownDepth_);
     const SceneStatistics sceneStatistics = statisticsOfLayers(*frame);
@@ -51,7 +55,7 @@ QueuedFramePtr FrameDriver::submit(const PixelTarget& given, uint32_t* id) {
         throw Error(ErrorCode::OutOfMemory, "no frame id is left");
     if (id) *id = number;
     sceneStatistics_ = sceneStatistics;
-    last_ = target;
+    last_ = frame;
     renderer_.submit(queued);
     return queued;
 }
@@ -125,9 +129,10 @@ Picture FrameDriver::finishedPicture(bool depth) {
     PixelTarget target = own ? ownTarget() : applicationTarget();
     keepsDepth_ |= depth;
     if (keepsDepth_) target = withDepth(target);
-    const bool shown = last_.memory == target.memory && last_.width == target.width &&
-                       last_.height == target.height;
-    const bool hasDepth = shown && last_.aux.depth == target.aux.depth && last_.aux.depth;
+    const PixelTarget before = last_ ? last_->target : PixelTarget();
+    const bool shown = before.memory == target.memory && before.width == target.width &&
+                       before.height == target.height;
+    const bool hasDepth = shown && before.aux.depth == target.aux.depth && before.aux.depth;
     const bool empty = recorder_.sceneIsEmpty();
     if (recorder_.sceneHasNews() || (!empty && (!shown || (depth && !hasDepth))) ||
         (own && !shown)) {
@@ -143,6 +148,13 @@ Picture FrameDriver::finishedPicture(bool depth) {
                         "the frame before has ended without its depth; those from now on keep it");
     }
     return {target, target.aux.depth};
+}
+
+uint32_t FrameDriver::queueView() {
+    if (!last_) throw Error(ErrorCode::InvalidOperation, "no frame was queued before");
+    uint32_t id = 0;
+    submit(recorder_.makeView(*last_, applicationTarget()), &id);
+    return id;
 }
 
 uint32_t FrameDriver::queue() {

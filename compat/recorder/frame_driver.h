@@ -30,6 +30,8 @@ public:
     Picture finishedPicture(bool depth);
     /// Like start(), any number of times; the frame's id. Waits while the queue is full.
     uint32_t queue();
+    /// Queues what the frame before shows, seen by the camera in use now; the frame's id.
+    uint32_t queueView();
     /// A frame was waited for: from now on the statistics are its own.
     void waitedFor(const QueuedFrame& frame) { frameStatistics_ = frame.statistics(); }
 
@@ -49,8 +51,10 @@ public:
     const RenderStatistics& frameStatistics() const { return frameStatistics_; }
 
 private:
-    /// `id`: where the frame's goes; without it there need be none.
+    /// Freezes the bound scene and submits it.
     QueuedFramePtr submit(const PixelTarget& target, uint32_t* id = nullptr);
+    /// `id`: where the frame's goes; without it there need be none.
+    QueuedFramePtr submit(const std::shared_ptr<Frame>& frame, uint32_t* id);
     /// Where frames go: the application's memory, or for readers the library's own.
     const PixelTarget& applicationTarget() const;
     PixelTarget ownTarget();
@@ -65,7 +69,7 @@ private:
     std::shared_ptr<std::vector<uint32_t>> ownPixels_;
     std::shared_ptr<std::vector<float>> ownDepth_;
     bool keepsDepth_ = false;
-    PixelTarget last_; ///< of the frame started last
+    std::shared_ptr<const Frame> last_; ///< submitted; nullptr before the first
     SceneStatistics sceneStatistics_;
     RenderStatistics frameStatistics_;
 };

@@ -135,6 +135,8 @@ public:
     std::shared_ptr<Frame> makeFrame() { return makeFrame(frameSettings_.target); }
     /// The same into other memory.
     std::shared_ptr<Frame> makeFrame(const PixelTarget& target);
+    /// What `frame` shows, seen by the camera that the bound scene uses now; uses that camera up.
+    std::shared_ptr<Frame> makeView(const Frame& frame, const PixelTarget& target);
     /// Starts a new, empty scene.
     void clearScene() noexcept;
     /// Whether nothing was added to it.

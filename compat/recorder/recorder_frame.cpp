@@ -30,6 +30,14 @@ void checkTarget(const PixelTarget& target) {
         refuse("the frame buffer's stride is no multiple of a float's size");
 }
 
+std::shared_ptr<const ShaderObject> frozenShader(const ShaderTable& frozen,
+                                                 const std::shared_ptr<Shader>& shader) {
+    auto object = shader ? frozen.at(shader->index()) : nullptr;
+    if (shader && !object)
+        refuse("the constructor of shader class '" + shader->shaderClass()->name() + "' failed");
+    return object;
+}
+
 } // namespace
 
 uint32_t Recorder::newScene() {
@@ -144,15 +152,33 @@ std::shared_ptr<Frame> Recorder::makeFrame(const PixelTarget& target) {
     return top;
 }
 
+std::shared_ptr<Frame> Recorder::makeView(const Frame& frame, const PixelTarget& target) {
+    requireOutsideObject();
+    checkTarget(target);
+    if (!scene().camera) refuse("no camera is in use to see the frame by");
+    const LayerView view = currentView();
+    const std::shared_ptr<const ShaderTable> shaders = shaders_.freeze();
+    const auto camera = frozenShader(*shaders, scene().camera);
+    const auto see = [&](const Frame& layer) {
+        const auto seen = std::make_shared<Frame>(layer);
+        seen->camera = camera;
+        seen->target = target;
+        seen->viewport = view.viewport.value_or(Viewport{0, 0, target.width, target.height});
+        seen->scissor = view.scissor;
+        seen->primitives = PixelPrimitives::make(*seen);
+        return seen;
+    };
+    const std::shared_ptr<Frame> top = see(frame);
+    for (std::shared_ptr<const Frame>& layer : top->below) layer = see(*layer);
+    scene().camera.reset();
+    return top;
+}
+
 void Recorder::freezeShaders(Frame& frame) {
     frame.shaders = shaders_.freeze();
     frame.textures = textures_.freeze();
     const auto frozen = [&](const std::shared_ptr<Shader>& shader) {
-        const auto object = shader ? frame.shaders->at(shader->index()) : nullptr;
-        if (shader && !object)
-            refuse("the constructor of shader class '" + shader->shaderClass()->name() +
-                   "' failed");
-        return object;
+        return frozenShader(*frame.shaders, shader);
     };
     for (const auto& light : scene().lights) frame.lights.push_back(frozen(light));
     for (const FixedLight& light : fixedState_.state().lighting.lights)

@@ -26,7 +26,8 @@
  * rtFrameStatus, rtFrameProgress and rtCancelFrame take the id of any frame of any context, on any
  * thread, with a context or without; errors are recorded if the thread has one. An id stays known
  * after the frame's and the context's end, until rtExit. A frame that has ended holds no memory
- * but for a small record, of the newest 256 frames.
+ * but for a small record, of the newest 256 frames; the scene of a context's last frame stays for
+ * rtQueueView.
  */
 #ifndef OPENRT_RT_QUEUE_H
 #define OPENRT_RT_QUEUE_H
@@ -66,6 +67,16 @@ RTAPI void RTAPIENTRY rtDeleteScene(RTuint scene);
  *          RT_OUT_OF_MEMORY      also when 2^32 - 2 frames have been rendered by the process
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtQueueFrame(void);
+
+/* Queues the scene of the frame that this context queued or started last once more, as it was frozen
+ * then, seen by the camera that the bound scene uses now (rtUseCamera, rtuCameraFromWall ...), in
+ * the frame buffer, viewport and scissor of now; returns the frame's id. Uses the camera up; all
+ * else that the bound scene was given waits for its next frame. All walls of a room and both eyes
+ * show the same moment this way, and its trees are built once. Not in an object.
+ * Errors:  RT_INVALID_OPERATION  no camera is in use; no frame before; no frame buffer, or a stride
+ *                                that holds no row
+ * Threads: the context's. Since: 0.1 */
+RTAPI RTuint RTAPIENTRY rtQueueView(void);
 
 /* How many frames of this context may be in flight, those of rtStartRendering included; 2 at the
  * start. A smaller number than there are now lets these go on.

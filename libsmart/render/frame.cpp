@@ -33,12 +33,12 @@ bool Frame::isLayered() const {
 }
 
 const Frame::Found& Frame::found() const {
-    std::call_once(foundOnce_, [this] {
+    std::call_once(found_.once, [this] {
         static const ShaderTable none;
-        found_.shading = findFrameShading(*scene, shaders ? *shaders : none, lights);
-        found_.needs = findLayerNeeds(*scene);
+        found_.found.shading = findFrameShading(*scene, shaders ? *shaders : none, lights);
+        found_.found.needs = findLayerNeeds(*scene);
     });
-    return found_;
+    return found_.found;
 }
 
 } // namespace smart

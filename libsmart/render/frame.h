@@ -99,10 +99,16 @@ private:
         FrameShading shading;
         LayerNeeds needs;
     };
+    /// A copy of a frame finds anew: shaders and scene may be exchanged in it.
+    struct FoundOnce {
+        FoundOnce() = default;
+        FoundOnce(const FoundOnce&) {}
+        std::once_flag once;
+        Found found;
+    };
     const Found& found() const;
 
-    mutable std::once_flag foundOnce_;
-    mutable Found found_;
+    mutable FoundOnce found_;
 };
 
 /// A larger recursionLimit counts as this: threads have stacks of limited size.

@@ -226,7 +226,7 @@ void RtScene::addSky() {
     set("scale", exposure_);
 }
 
-void RtScene::describeFrame(const View& view, float aspect, const FrameShaders& shaders) const {
+void RtScene::describeWorld(const FrameShaders& shaders) const {
     rtMatrixMode(RT_MODELVIEW);
     for (const Instance& instance : instances_) {
         rtLoadMatrixd(instance.matrix);
@@ -241,6 +241,10 @@ void RtScene::describeFrame(const View& view, float aspect, const FrameShaders& 
     for (RTuint light : shaders.lights) rtUseLight(light);
     rtUseEnvironmentShader(shaders.environment ? shaders.environment : sky_);
     if (shaders.renderingObject) rtUseRenderingObject(shaders.renderingObject);
+}
+
+void RtScene::describeFrame(const View& view, float aspect, const FrameShaders& shaders) const {
+    describeWorld(shaders);
     if (shaders.camera) {
         rtUseCamera(shaders.camera);
     } else {

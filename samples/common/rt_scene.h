@@ -31,7 +31,9 @@ public:
     RtScene(const SceneDescription& scene, const Bounds& bounds, const View& view,
             const Lighting& lighting);
 
-    /// Gives the next frame its instances, lights, sky and camera.
+    /// Gives the next frame its instances, lights and sky.
+    void describeWorld(const FrameShaders& shaders = {}) const;
+    /// The camera too.
     void describeFrame(const View& view, float aspect, const FrameShaders& shaders = {}) const;
 
 private:

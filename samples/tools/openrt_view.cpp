@@ -2,7 +2,6 @@
 // openrt-view: a scene file in a window. Left button: orbit, middle or right: pan, wheel: zoom,
 // R: back to the first view, Escape: leave.
 #define GLFW_INCLUDE_NONE
-#include <GL/gl.h>
 #include <GLFW/glfw3.h>
 #include <openrt/rt.h>
 
@@ -13,13 +12,13 @@
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "samples/common/orbit_camera.h"
+#include "samples/tools/picture_window.h"
 #include "samples/tools/scene_options.h"
 
 namespace {
@@ -82,81 +81,25 @@ void onKey(GLFWwindow* window, int key, int, int action, int) {
 
 void onResize(GLFWwindow* window, int, int) { controlsOf(window).changed = true; }
 
-class Window {
-public:
-    Window(PictureSize size, Controls& controls) {
-        glfwSetErrorCallback([](int, const char* text) { lastError() = text; });
-        if (!glfwInit()) throw std::runtime_error("there is no display: " + lastError());
-        window_.reset(glfwCreateWindow(int(size.width), int(size.height), "openrt-view", nullptr,
-                                       nullptr));
-        if (!window_) throw std::runtime_error("no window can be opened: " + lastError());
-        glfwSetWindowUserPointer(window_.get(), &controls);
-        glfwSetCursorPosCallback(window_.get(), &onMove);
-        glfwSetScrollCallback(window_.get(), &onScroll);
-        glfwSetKeyCallback(window_.get(), &onKey);
-        glfwSetFramebufferSizeCallback(window_.get(), &onResize);
-        glfwMakeContextCurrent(window_.get());
-        glfwSwapInterval(0);
-        glGenTextures(1, &texture_);
-        glBindTexture(GL_TEXTURE_2D, texture_);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glEnable(GL_TEXTURE_2D);
-    }
-    ~Window() {
-        window_.reset();
-        glfwTerminate();
-    }
-    Window(const Window&) = delete;
-    Window& operator=(const Window&) = delete;
-
-    GLFWwindow* handle() const { return window_.get(); }
-
-    PictureSize pixels() const {
-        int width = 0, height = 0;
-        glfwGetFramebufferSize(window_.get(), &width, &height);
-        return {uint32_t(std::max(width, 1)), uint32_t(std::max(height, 1))};
-    }
-
-    /// Shows RGBA pixels, rows from the bottom, over the whole window.
-    void draw(PictureSize size, const std::vector<uint8_t>& rgba) {
-        const PictureSize whole = pixels();
-        glViewport(0, 0, GLsizei(whole.width), GLsizei(whole.height));
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, GLsizei(size.width), GLsizei(size.height), 0,
-                     GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-        glBegin(GL_TRIANGLE_STRIP);
-        for (int corner = 0; corner < 4; ++corner) {
-            const float x = float(corner & 1), y = float(corner >> 1);
-            glTexCoord2f(x, y);
-            glVertex2f(2 * x - 1, 2 * y - 1);
-        }
-        glEnd();
-        glfwSwapBuffers(window_.get());
-    }
-
-private:
-    struct Destroy {
-        void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
-    };
-    static std::string& lastError() {
-        static std::string text;
-        return text;
-    }
-
-    std::unique_ptr<GLFWwindow, Destroy> window_;
-    GLuint texture_ = 0;
-};
+/// Mouse and keyboard go to the controls.
+void connect(const samples::PictureWindow& window, Controls& controls) {
+    glfwSetWindowUserPointer(window.handle(), &controls);
+    glfwSetCursorPosCallback(window.handle(), &onMove);
+    glfwSetScrollCallback(window.handle(), &onScroll);
+    glfwSetKeyCallback(window.handle(), &onKey);
+    glfwSetFramebufferSizeCallback(window.handle(), &onResize);
+}
 
 /// Renders one picture while the one before is shown.
 class FrameLoop {
 public:
     /// findFocus: the camera is to circle around what the middle of the first picture shows.
-    FrameLoop(Window& window, Controls& controls, const samples::RtScene& scene, bool findFocus)
+    FrameLoop(samples::PictureWindow& window, Controls& controls, const samples::RtScene& scene, bool findFocus)
         : window_(window), controls_(controls), scene_(scene), findFocus_(findFocus) {}
 
     void run() {
-        while (!glfwWindowShouldClose(window_.handle())) {
-            glfwPollEvents();
+        while (!window_.wantsToClose()) {
+            samples::Display::poll();
             chooseDivisor();
             if (!controls_.changed && options.frames == 0) {
                 finish();
@@ -239,7 +182,7 @@ private:
         glfwSetWindowTitle(window_.handle(), title);
     }
 
-    Window& window_;
+    samples::PictureWindow& window_;
     Controls& controls_;
     const samples::RtScene& scene_;
     Picture shown_, next_;
@@ -261,7 +204,9 @@ int run() {
 
     Controls controls{samples::OrbitCamera(
         wantedView ? *wantedView : samples::defaultView(description, bounds, size.aspect()))};
-    Window window(size, controls);
+    const samples::Display display;
+    samples::PictureWindow window(display, size, "openrt-view");
+    connect(window, controls);
     const samples::RtScene scene(description, bounds, controls.camera.view(), lighting);
     rtEnable(RT_FRAMEBUFFER_SRGB);
     FrameLoop(window, controls, scene, !wantedView && !description.cameras.empty()).run();
