@@ -64,7 +64,7 @@ const char* shaderFoldersText() {
 } // namespace
 
 RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
-    if (refusedOnWorker(__func__)) return;
+    if (refusedHere(__func__)) return;
     try {
         if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
         const InitOptions options = takeInitArguments(argcp, argv);
@@ -78,14 +78,14 @@ RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
 }
 
 RTAPI void RTAPIENTRY rtExit(void) {
-    if (refusedOnWorker(__func__)) return;
+    if (refusedHere(__func__)) return;
     destroyAllContexts();
     releaseAllQueryScenes();
     frameTable().forgetAll();
 }
 
 RTAPI RTcontext RTAPIENTRY rtCreateContext(void) {
-    if (refusedOnWorker(__func__)) return nullptr;
+    if (refusedHere(__func__)) return nullptr;
     try {
         return handleOf(createContext(threadsFromEnvironment()));
     } catch (...) {
@@ -95,7 +95,7 @@ RTAPI RTcontext RTAPIENTRY rtCreateContext(void) {
 }
 
 RTAPI RTboolean RTAPIENTRY rtMakeCurrent(RTcontext context) {
-    if (refusedOnWorker(__func__)) return RT_FALSE;
+    if (refusedHere(__func__)) return RT_FALSE;
     try {
         makeContextCurrent(idOf(context));
         return RT_TRUE;
@@ -106,7 +106,7 @@ RTAPI RTboolean RTAPIENTRY rtMakeCurrent(RTcontext context) {
 }
 
 RTAPI void RTAPIENTRY rtDestroyContext(RTcontext context) {
-    if (refusedOnWorker(__func__)) return;
+    if (refusedHere(__func__)) return;
     try {
         if (context) destroyContext(idOf(context));
     } catch (...) {
@@ -129,8 +129,9 @@ RTAPI RTenum RTAPIENTRY rtGetError(void) {
 }
 
 RTAPI const char* RTAPIENTRY rtGetErrorText(void) {
-    return guardedOr<const char*>("no context is current on this thread", __func__,
-                                  [](Context& c) { return c.errors().text(); });
+    const char* const none =
+        whyUnusable() ? whyUnusable() : "no context is current on this thread";
+    return guardedOr(none, __func__, [](Context& c) { return c.errors().text(); });
 }
 
 RTAPI void RTAPIENTRY rtErrorCallback(ErrorFunction cb, void* user) {

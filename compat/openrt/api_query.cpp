@@ -18,7 +18,7 @@ static_assert(RT_HIT_BACK == 1); // what intersect() writes
 /// Legal with any context or none; in a context not between begin and end, nor in frame callbacks.
 template <class Body>
 void query(const char* function, Body&& body) noexcept {
-    if (refusedInCallback(function)) return;
+    if (refusedInCallback(function) || whyUnusable()) return;
     try {
         if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
         body();

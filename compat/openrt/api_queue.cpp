@@ -18,6 +18,7 @@ namespace {
 /// Legal with any context or none, on any thread; in a context not between begin and end.
 template <class Result, class Body>
 Result anywhere(Result failure, const char* function, Body&& body) noexcept {
+    if (whyUnusable()) return failure;
     try {
         if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
         return body();

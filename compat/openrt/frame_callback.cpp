@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compat/openrt/tokens.h"
+#include "compat/recorder/context.h"
 #include "libsmart/base/error.h"
 #include "libsmart/base/fp_environment.h"
 #include "libsmart/render/worker.h"
@@ -62,8 +63,8 @@ bool refusedInCallback(const char* function) noexcept {
     return true;
 }
 
-bool refusedOnWorker(const char* function) noexcept {
-    return refusedInCallback(function) || onWorkerThread();
+bool refusedHere(const char* function) noexcept {
+    return refusedInCallback(function) || onWorkerThread() || whyUnusable();
 }
 
 } // namespace smart::compat

@@ -26,7 +26,8 @@ private:
 /// Whether a frame's callback runs on this thread; the frame then keeps it as its error that
 /// `function` was called there.
 bool refusedInCallback(const char* function) noexcept;
-/// Whether this is a thread that renders, which can have no context nor wait for its own end.
-bool refusedOnWorker(const char* function) noexcept;
+/// Whether this is a thread that renders, which can have no context nor wait for its own end, or
+/// one of a process that may not use the library (whyUnusable).
+bool refusedHere(const char* function) noexcept;
 
 } // namespace smart::compat

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libsmart/base/error.h"
+#include "libsmart/base/immortal.h"
 
 namespace smart::compat {
 
@@ -19,8 +20,8 @@ struct QueryScenes {
 };
 
 QueryScenes& all() {
-    static QueryScenes scenes;
-    return scenes;
+    static Immortal<QueryScenes> scenes;
+    return scenes.get();
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/context.h"
 
+#include <pthread.h>
+
 #include <atomic>
 #include <map>
 #include <mutex>
@@ -9,7 +11,9 @@
 
 #include "compat/recorder/frame_table.h"
 #include "libsmart/base/error.h"
+#include "libsmart/base/immortal.h"
 #include "libsmart/kernel/kernels.h"
+#include "libsmart/render/worker.h"
 
 namespace smart::compat {
 
@@ -20,22 +24,47 @@ struct Entry {
     std::shared_ptr<std::atomic<bool>> current; ///< on some thread
 };
 
-/// All contexts of the process. Its end waits for their frames.
+/// All contexts of the process.
 struct ContextTable {
-    ContextTable() { // what rendering needs has to end after this
-        kernels();
-        findBuiltinClass("");
-        frameTable();
-    }
     std::mutex mutex;
     std::map<ContextId, Entry> entries;
     ContextId last = 0;
     ContextId defaultContext = 0;
 };
 
+std::atomic<const char*> unusable{nullptr};
+
+/// Where what must never end is put; takes no memory from anywhere.
+template <class T>
+void bury(T& thing) noexcept {
+    static Immortal<T> grave;
+    std::swap(grave.get(), thing);
+}
+
+void abandonInChild() noexcept;
+
+/// Ends the contexts with the process, or with the library where that is unloaded first; their
+/// frames are waited for.
+struct End {
+    explicit End(ContextTable& table) : contexts(table) {
+        kernels(); // what rendering needs has to end after this
+        findBuiltinClass("");
+        pthread_atfork(nullptr, nullptr, &abandonInChild);
+    }
+    ~End() {
+        if (unusable) return;
+        if (onWorkerThread()) bury(contexts.entries); // a shader or callback that called exit
+        destroyAllContexts();
+        frameTable().forgetAll();
+        unusable = "the process is ending";
+    }
+    ContextTable& contexts;
+};
+
 ContextTable& table() {
-    static ContextTable contexts;
-    return contexts;
+    static Immortal<ContextTable> contexts;
+    static const End end(contexts.get());
+    return contexts.get();
 }
 
 /// Counts destroyAllContexts: what was current before no longer is.
@@ -60,6 +89,16 @@ void Holder::release() noexcept {
     if (old.current) *old.current = false;
 } // here the context ends, if it was destroyed before
 
+/// Other threads may have been about to change anything when the process was forked: nothing is
+/// looked at, only taken away.
+void abandonInChild() noexcept {
+    if (unusable.exchange("the child of a fork can not use the library")) return;
+    bury(table().entries);
+    bury(holder.entry);
+    current = nullptr;
+    holder.id = 0;
+}
+
 Entry& find(ContextTable& contexts, ContextId id) {
     const auto found = contexts.entries.find(id);
     if (found == contexts.entries.end())
@@ -68,6 +107,8 @@ Entry& find(ContextTable& contexts, ContextId id) {
 }
 
 } // namespace
+
+const char* whyUnusable() noexcept { return unusable; }
 
 Context* currentContext() noexcept {
     if (!current) return nullptr;

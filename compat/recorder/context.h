@@ -46,6 +46,11 @@ private:
 
 using ContextId = uint64_t; ///< from 1, never used again; 0: none
 
+/// Why no thread has a context any more, nor may ask for anything; nullptr: the library may be used.
+/// The process ends, or it is a child, by fork, of one that had contexts: their threads and locks
+/// are not the child's.
+const char* whyUnusable() noexcept;
+
 /// The context current on the calling thread; nullptr: none.
 Context* currentContext() noexcept;
 ContextId currentContextId() noexcept;

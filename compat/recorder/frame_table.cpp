@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/frame_table.h"
 
+#include "libsmart/base/immortal.h"
+
 namespace smart::compat {
 
 FrameTable& frameTable() {
-    static FrameTable frames;
-    return frames;
+    static Immortal<FrameTable> frames;
+    return frames.get();
 }
 
 uint32_t FrameTable::add(Frame& frame, const QueuedFramePtr& queued) {

@@ -9,6 +9,12 @@
 extern "C" {
 #endif
 
+/* Processes. A program may end in any way, at any time: by return, exit or a signal, on any thread,
+ * with frames in flight, with rtExit or without. The child of a fork may call exec or end, on any
+ * way too; whatever else it asks of the library has no effect, and rtGetError answers
+ * RT_INVALID_OPERATION. Floating-point state, signal mask and handlers, locale and thread affinity
+ * of the application are left as they are; signals are never delivered to the library's threads. */
+
 /* Makes a fresh default context and makes it current on the calling thread. A second call ends
  * the default context of the first. Both pointers may be NULL; otherwise the arguments below are
  * taken out of argv, and *argcp is lowered:

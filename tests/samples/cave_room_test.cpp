@@ -78,7 +78,7 @@ protected:
         }
         return "none";
     }
-    TemporaryFolder folder_;
+    test::TemporaryFolder folder_;
 };
 
 TEST_F(HeadPathFile, GoesFromSampleToSample) {
