@@ -75,7 +75,7 @@ int main(int argc, char *argv[]) {
         if (dlclose(one.library) != 0) return 4;
     }
     if (!openIt(&one, argv[1]) || !openIt(&two, argv[2])) return 5;
-    if (one.library == two.library || (void *)one.init == (void *)two.init) return 6;
+    if (one.library == two.library || one.init == two.init) return 6;
     one.init(NULL, NULL);
     two.init(NULL, NULL);
     if (!renders(&one, 50) || !renders(&two, 60) || !renders(&one, 70)) return 7;
