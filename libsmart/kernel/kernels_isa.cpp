@@ -186,6 +186,14 @@ bool findApex(const TileLanes& legal, const Search<kPacketSize, M, NoCounts>* qu
     return true;
 }
 
+/// Callers with many tiles have them in a row, and memory is far: while this one is traced, the
+/// next one comes nearer. What else may lie there is only looked up, never read.
+inline void prefetchBehind(const RayPacket* packets, uint32_t count) {
+    const char* const next = reinterpret_cast<const char*>(packets + count);
+    for (std::size_t at = 0; at < count * sizeof(RayPacket); at += 64)
+        __builtin_prefetch(next + at);
+}
+
 /// Fills the queries of a tile with what its rays hit.
 template <template <int> class Precision, HitMode M>
 void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
@@ -193,6 +201,7 @@ void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
     RayTile tile;
     TileLanes legal{};
     WorldRays<kPacketSize> world;
+    prefetchBehind(packets, count);
     for (uint32_t v = 0; v < count; ++v) {
         const RayArrays in(packets[v]);
         query[v].lastOfEqual = scene.lastOfEqual != 0;
@@ -219,11 +228,14 @@ void intersectTile(const ModelView& scene, const RayPacket* packets, uint32_t co
     } else {
         Search<kPacketSize, HitMode::Closest, NoCounts> query[kTilePackets];
         runTile<Precision>(scene, packets, count, query);
+        HitRefinement<kPacketSize> found[kTilePackets];
         for (uint32_t v = 0; v < count; ++v) {
             const RayArrays in(packets[v]);
-            refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query[v].triangle,
-                                    query[v].levels, query[v].path, hits[v].t, hits[v].u,
-                                    hits[v].v);
+            found[v].fetch(scene, in.org, in.dir, query[v].triangle, query[v].levels,
+                           query[v].path);
+        }
+        for (uint32_t v = 0; v < count; ++v) {
+            found[v].place(packets[v].tNear, packets[v].tFar, hits[v].t, hits[v].u, hits[v].v);
             store(query[v], hits[v]);
         }
     }

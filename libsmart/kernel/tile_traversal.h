@@ -186,7 +186,9 @@ private:
             high_[v] = select(mask, upper, high_[v]);
             found_[v] = select(mask, Word<N>(triangle), found_[v]);
             unsettled_[v] |= lanes;
-            __builtin_prefetch(model_.triangles + triangle);
+            const char* const hit = reinterpret_cast<const char*>(model_.triangles + triangle);
+            __builtin_prefetch(hit);
+            __builtin_prefetch(hit + sizeof(Triangle) - 1);
         }
     }
     HWY_INLINE void block(int v, uint32_t lanes) {
