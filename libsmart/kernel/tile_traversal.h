@@ -49,11 +49,13 @@ public:
         // Records of the fast mode are off by some units in the last place of the coordinates.
         if (!kDecides) slack_ = slack_ + 160 * 0x1p-24f * beam.scale();
         for (int v = 0; v < kTileVectors; ++v)
-            if (lanes.of[v])
+            if (lanes.of[v]) {
                 start(v);
-            else
+            } else {
                 near_[v] = farDepth_[v] = Real<N>(-__builtin_inff());
-        updateLimits(packets_);
+                low_[v] = Real<N>(__builtin_inff());
+            }
+        updateLimits();
     }
 
     void run() {
@@ -92,7 +94,7 @@ public:
         EdgeFunctions edges;
         uint64_t pairs = edges.setUp(beam_, triangles, count, packets, farthest_, slack_);
         if (!pairs) return;
-        uint32_t changed = 0;
+        bool changed = false;
         for (; pairs; pairs &= pairs - 1) {
             const int pair = __builtin_ctzll(pairs);
             const int v = pair >> 4, i = pair & 15;
@@ -113,18 +115,18 @@ public:
                                      (lower >= high_[v]) & (upper <= inverseLimit_[v]);
                 const uint32_t taken = sure.bits(), open = possible.bits() & ~taken;
                 take(v, taken, sure, lower, upper, number(triangles, count, i));
-                changed |= uint32_t(taken != 0) << v;
+                changed |= taken != 0;
                 uint32_t rest = open;
                 if (M == HitMode::Any && open && edges.sure[i] < __builtin_inff())
                     rest = ahead(triangles, count, i, v, open);
                 if (!rest) continue;
-                changed |= uint32_t(decide(triangles, count, i, v, rest)) << v;
+                changed |= decide(triangles, count, i, v, rest);
             } else {
                 const uint32_t open = possible.bits();
-                if (open) changed |= uint32_t(decide(triangles, count, i, v, open)) << v;
+                if (open) changed |= decide(triangles, count, i, v, open);
             }
         }
-        if (changed) updateLimits(changed);
+        if (changed) updateLimits();
     }
 
 private:
@@ -151,18 +153,16 @@ private:
         return roughReciprocal(min(max(a, Real<N>(0x1p-100f)), Real<N>(0x1p100f)));
     }
 
-    /// After hits of the packets given: how far the rays still have to look.
-    HWY_INLINE void updateLimits(uint32_t packets) {
+    /// After hits: how far the rays still have to look. All packets alike: to ask which have
+    /// changed costs more.
+    HWY_INLINE void updateLimits() {
         Real<N> far(-__builtin_inff());
         for (int v = 0; v < kTileVectors; ++v) {
-            if (packets >> v & 1) {
-                if constexpr (M == HitMode::Closest)
-                    farDepth_[v] = select(Mask<N>::fromBits(lanes_.of[v]),
-                                          roughInverse(low_[v]) * Real<N>(1 + 0x1p-12f),
-                                          farDepth_[v]);
-                farthest_[v] = smallestLane(low_[v]);
-            }
-            if (packets_ >> v & 1) far = max(far, farDepth_[v]);
+            if constexpr (M == HitMode::Closest)
+                farDepth_[v] =
+                    min(farDepth_[v], roughInverse(low_[v]) * Real<N>(1 + 0x1p-12f));
+            farthest_[v] = smallestLane(low_[v]);
+            far = max(far, farDepth_[v]);
         }
         far_ = largestLane(far);
     }

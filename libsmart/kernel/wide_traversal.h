@@ -34,11 +34,11 @@ struct DepthRange {
 template <class State>
 void traverseWide(const WideNode* nodes, const Beam& beam, State& state) {
     constexpr int N = kPacketSize;
+    // Written and read word by word: what is stored in parts arrives late where it is loaded whole.
     struct Entry {
         float near;
         uint32_t child;
-        uint8_t slot, packets;
-        uint16_t level; ///< of the node whose child it is
+        uint32_t place; ///< slot, packets << 4, level of the node whose child it is << 8
     };
     SeenBoxes seen[kWideMaxDepth];
     Entry stack[kWideMaxDepth * kWideChildren];
@@ -58,28 +58,31 @@ void traverseWide(const WideNode* nodes, const Beam& beam, State& state) {
             state.prefetch(child);
             int at = top++;
             for (; at > base && stack[at - 1].near < near[slot]; --at) stack[at] = stack[at - 1];
-            stack[at] = {near[slot], child, uint8_t(slot), uint8_t(packets), uint16_t(level)};
+            stack[at] = {near[slot], child, uint32_t(slot) | packets << 4 | level << 8};
         }
     };
 
     open(0, 0, state.packets());
     while (top > 0) {
-        const Entry entry = stack[--top];
+        const Entry& entry = stack[--top];
         if (entry.near > state.farthestDepth()) continue;
+        const uint32_t place = entry.place, level = place >> 8;
+        const SeenBoxes& boxes = seen[level];
         uint32_t packets = 0;
         Mask<N> active[kTileVectors];
         for (int v = 0; v < kTileVectors; ++v) {
-            active[v] = beam.meet(seen[entry.level], entry.slot, v, state.nearDepth(v),
-                                  state.farDepth(v));
+            active[v] =
+                beam.meet(boxes, int(place & 15u), v, state.nearDepth(v), state.farDepth(v));
             packets |= uint32_t(any(active[v])) << v;
         }
-        packets &= entry.packets;
+        packets &= place >> 4;
         if (!packets) continue;
-        if (entry.child & kWideLeaf) {
-            state.leaf(entry.child, packets, active);
+        const uint32_t child = entry.child;
+        if (child & kWideLeaf) {
+            state.leaf(child, packets, active);
             if (!state.packets()) return;
         } else {
-            open(entry.child, entry.level + 1u, packets);
+            open(child, level + 1u, packets);
         }
     }
 }
