@@ -193,6 +193,16 @@ inline float largestLane(const Real<kPacketSize>& a) {
     for (int i = 1; i < kRegisters; ++i) m = hn::Max(m, a.v[i]);
     return hn::GetLane(hn::MaxOfLanes(Tag(), m));
 }
+/// Values not below 0 with the lane's number for their lowest four bits: no two are equal.
+inline Real<kPacketSize> numbered(const Real<kPacketSize>& a) {
+    Real<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) {
+        const auto bits = hn::AndNot(hn::Set(WordTag(), 15u), hn::BitCast(WordTag(), a.v[i]));
+        const auto number = hn::Iota(WordTag(), uint32_t(i * kRegisterLanes));
+        r.v[i] = hn::BitCast(Tag(), hn::Or(bits, number));
+    }
+    return r;
+}
 /// 1/a for positive normal a, off by less than 2^-14 of it; how much depends on the machine.
 inline Real<kPacketSize> roughReciprocal(const Real<kPacketSize>& a) {
     Real<kPacketSize> r;

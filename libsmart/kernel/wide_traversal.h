@@ -48,18 +48,21 @@ void traverseWide(const WideNode* nodes, const Beam& beam, State& state) {
         const WideNode& node = nodes[index];
         beam.see(node, seen[level]);
         Real<N> from;
-        uint32_t hits = beam.meet(seen[level], 0.0f, state.farthestDepth(), from).bits();
-        alignas(64) float near[N];
+        const uint32_t hits = beam.meet(seen[level], 0.0f, state.farthestDepth(), from).bits();
+        alignas(64) float near[N], order[N];
         from.store(near);
-        const int base = top;
-        for (; hits; hits &= hits - 1) {
-            const int slot = lowestBit(hits);
+        const Real<N> distinct = numbered(from);
+        distinct.store(order);
+        const uint32_t above = packets << 4 | level << 8;
+        for (uint32_t rest = hits; rest; rest &= rest - 1) {
+            const int slot = lowestBit(rest);
             const uint32_t child = node.child[slot];
             state.prefetch(child);
-            int at = top++;
-            for (; at > base && stack[at - 1].near < near[slot]; --at) stack[at] = stack[at - 1];
-            stack[at] = {near[slot], child, uint32_t(slot) | packets << 4 | level << 8};
+            // Its place by counting, as a sort has branches that nobody can predict.
+            const uint32_t farther = hits & (distinct > Real<N>(order[slot])).bits();
+            stack[top + __builtin_popcount(farther)] = {near[slot], child, uint32_t(slot) | above};
         }
+        top += __builtin_popcount(hits);
     };
 
     open(0, 0, state.packets());
