@@ -91,7 +91,9 @@ struct alignas(64) SeenBoxes {
 ///
 /// The lines of rays that head for the apex pass it by as much as origin and direction round;
 /// `stray` says how far, across the dominant axis. Boxes are padded by that, and by 16 u S for the
-/// rounding here and in the triangle test, where u = 2^-24 and S is the largest coordinate.
+/// rounding here and in the triangle test, where u = 2^-24 and S is the largest coordinate: the
+/// planes are off by 2 u S here, the slopes by 2 u, their inverses by 2.1 u and the product by u,
+/// of a distance of up to 2 S; the triangle test is off by 3 u S.
 class Beam {
 public:
     static constexpr int N = kPacketSize;
@@ -107,7 +109,7 @@ public:
             if (lanes.of[v])
                 addPacket(tile.rays[v], lanes.of[v], v);
             else
-                inverse_[0][v] = inverse_[1][v] = Real<N>(0.0f);
+                inverse_[0][v] = inverse_[1][v] = slope_[0][v] = slope_[1][v] = Real<N>(0.0f);
         span(lanes);
         stray(tile, lanes);
         widest_ = maxAbs * 0x1p-8f;
@@ -189,20 +191,25 @@ private:
         depthScale_[v] = magnitude(z);
         for (int k = 0; k < 2; ++k) {
             const Real<N> slope = Real<N>::load(rays.dir[axis_[k]]) * inverse;
-            const float one = rays.dir[axis_[k]][some] / rays.dir[axis_[2]][some];
-            slope_[k][v] = select(on, slope, Real<N>(one));
-            packetLow_[k][v] = smallestLane(slope_[k][v]);
-            packetHigh_[k][v] = largestLane(slope_[k][v]);
-            inverse_[k][v] = Real<N>(1.0f) / max(magnitude(slope), Real<N>(0x1p-100f));
+            slope_[k][v] = slope;
+            if (lanes != (1u << N) - 1u)
+                slope_[k][v] = select(
+                    on, slope, Real<N>(rays.dir[axis_[k]][some] / rays.dir[axis_[2]][some]));
+            inverse_[k][v] = reciprocal(max(magnitude(slope), Real<N>(0x1p-100f)));
         }
     }
 
     /// What the packets' slopes span together.
     void span(const TileLanes& lanes) {
         for (int k = 0; k < 2; ++k) {
+            Real<N> negative[kTileVectors];
+            for (int v = 0; v < kTileVectors; ++v) negative[v] = Real<N>(0.0f) - slope_[k][v];
+            smallestLanes(slope_[k], packetLow_[k]);
+            smallestLanes(negative, packetHigh_[k]);
             float low = __builtin_inff(), high = -__builtin_inff();
             for (int v = 0; v < kTileVectors; ++v) {
                 if (!lanes.of[v]) continue;
+                packetHigh_[k][v] = -packetHigh_[k][v];
                 low = lesserOf(low, packetLow_[k][v]);
                 high = largerOf(high, packetHigh_[k][v]);
             }

@@ -33,18 +33,18 @@ const ModelView& descend(const ModelView& scene, const uint32_t path[][N], uint3
     return *model;
 }
 
+/// Whether the words of the lanes given are equal to that of one.
+template <int N>
+bool allEqual(const Mask<N>& lanes, const uint32_t* words, int lane) {
+    return !any(lanes & (Word<N>::load(words) != Word<N>(words[lane])));
+}
+
 /// Whether all the hits are in one model, in the same place; lane: of some hit.
 template <int N>
-bool inOneModel(const uint32_t* triangle, const uint32_t* levels, const uint32_t path[][N],
-                int lane) {
-    uint32_t differ = 0;
-    for (int i = 0; i < N; ++i)
-        differ |= triangle[i] == kNoHit ? 0 : levels[i] ^ levels[lane];
-    if (differ) return false;
-    for (uint32_t l = 0; l < levels[lane]; ++l)
-        for (int i = 0; i < N; ++i)
-            differ |= triangle[i] == kNoHit ? 0 : path[l][i] ^ path[l][lane];
-    return !differ;
+bool inOneModel(const Mask<N>& hits, const uint32_t* levels, const uint32_t path[][N], int lane) {
+    bool same = allEqual<N>(hits, levels, lane);
+    for (uint32_t l = 0; same && l < levels[lane]; ++l) same = allEqual<N>(hits, path[l], lane);
+    return same;
 }
 
 /// Takes all lanes to the model that the path of one leads to.
@@ -136,16 +136,16 @@ public:
     /// Fetches the triangles.
     void fetch(const ModelView& scene, const float* const org[3], const float* const dir[3],
                const uint32_t* triangle, const uint32_t* levels, const uint32_t path[][N]) {
-        int some = -1;
-        for (int i = 0; i < N; ++i) some = triangle[i] == kNoHit ? some : i;
+        const Mask<N> hits = Word<N>::load(triangle) != Word<N>(kNoHit);
         kind_ = Kind::NoHit;
-        if (some < 0) return;
+        if (!any(hits)) return;
+        const int some = lowestBit(hits.bits());
         for (int k = 0; k < 3; ++k) {
             org_[k] = org[k];
             dir_[k] = dir[k];
         }
         moved_ = false;
-        if (inOneModel<N>(triangle, levels, path, some)) {
+        if (inOneModel<N>(hits, levels, path, some)) {
             const ModelView* model = &scene;
             for (uint32_t l = 0; l < levels[some]; ++l) {
                 const InstanceView& instance = model->children[path[l][some]];
@@ -156,14 +156,13 @@ public:
                 widenRays();
                 descendTogether<N>(scene, path, levels[some], some, rays_);
             }
-            uint32_t differ = 0;
-            for (int i = 0; i < N; ++i)
-                differ |= triangle[i] == kNoHit ? 0 : triangle[i] ^ triangle[some];
-            kind_ = differ ? Kind::Several : Kind::OneTriangle;
-            if (differ)
-                vertices_.gather(model->triangles, triangle, triangle[some]);
-            else
+            if (allEqual<N>(hits, triangle, some)) {
+                kind_ = Kind::OneTriangle;
                 only_ = model->triangles + triangle[some];
+            } else {
+                kind_ = Kind::Several;
+                vertices_.gather(model->triangles, triangle, triangle[some]);
+            }
         } else {
             kind_ = Kind::Several;
             moved_ = true;

@@ -73,7 +73,8 @@ template <class Counter>
 void store(const Search<kPacketSize, HitMode::Closest, Counter>& query, HitPacket& hits) {
     __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
     __builtin_memcpy(hits.levels, query.levels, sizeof hits.levels);
-    __builtin_memcpy(hits.path, query.path, query.deepest * sizeof hits.path[0]);
+    for (uint32_t l = 0; l < query.deepest; ++l)
+        __builtin_memcpy(hits.path[l], query.path[l], sizeof hits.path[l]);
 }
 
 template <template <int> class Precision, class Counter>

@@ -161,9 +161,9 @@ private:
             if constexpr (M == HitMode::Closest)
                 farDepth_[v] =
                     min(farDepth_[v], roughInverse(low_[v]) * Real<N>(1 + 0x1p-12f));
-            farthest_[v] = smallestLane(low_[v]);
             far = max(far, farDepth_[v]);
         }
+        smallestLanes(low_, farthest_);
         far_ = largestLane(far);
     }
 
@@ -186,7 +186,10 @@ private:
             high_[v] = select(mask, upper, high_[v]);
             found_[v] = select(mask, Word<N>(triangle), found_[v]);
             unsettled_[v] |= lanes;
-            const char* const hit = reinterpret_cast<const char*>(model_.triangles + triangle);
+            // For the refinement; if nothing is taken, something that is near anyway.
+            const char* const hit =
+                lanes ? reinterpret_cast<const char*>(model_.triangles + triangle)
+                      : reinterpret_cast<const char*>(this);
             __builtin_prefetch(hit);
             __builtin_prefetch(hit + sizeof(Triangle) - 1);
         }
