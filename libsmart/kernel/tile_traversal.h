@@ -141,17 +141,19 @@ private:
             tile_.startsThere ? max(range.from, doubtful) : range.from + Real<N>(4 * beam_.pad());
         near_[v] = range.from;
         const Real<N> slip(tile_.startsThere ? 0.0f : 4 * beam_.pad());
-        low_[v] = select(on, roughInverse(range.limit + slip) * Real<N>(1 - 0x1p-10f),
+        low_[v] = select(on, inverse(range.limit + slip) * Real<N>(1 - 0x1p-18f),
                          Real<N>(__builtin_inff()));
-        high_[v] = roughInverse(range.limit - slip) * Real<N>(1 + 0x1p-10f);
+        high_[v] = inverse(range.limit - slip) * Real<N>(1 + 0x1p-18f);
         inverseLimit_[v] = roughInverse(surelyFrom * Real<N>(1 + 0x1p-8f));
         farDepth_[v] = select(on, range.to, Real<N>(-__builtin_inff()));
         if (any(on & (range.from <= range.to))) packets_ |= 1u << v;
     }
-    /// 1/a, off by less than 2^-13 of it, for a from 0 to infinity.
-    static Real<N> roughInverse(const Real<N>& a) {
-        return roughReciprocal(min(max(a, Real<N>(0x1p-100f)), Real<N>(0x1p100f)));
+    static Real<N> bounded(const Real<N>& a) {
+        return min(max(a, Real<N>(0x1p-100f)), Real<N>(0x1p100f));
     }
+    /// 1/a for a from 0 to infinity, off by less than 2^-13 of it, and by less than 2^-22.
+    static Real<N> roughInverse(const Real<N>& a) { return roughReciprocal(bounded(a)); }
+    static Real<N> inverse(const Real<N>& a) { return reciprocal(bounded(a)); }
 
     /// After hits: how far the rays still have to look. All packets alike: to ask which have
     /// changed costs more.
@@ -277,9 +279,9 @@ private:
             best.store(query.best);
             // In double, `comparable` may have found a nearer one by itself.
             const Mask<N> tested = Mask<N>::fromBits(lanes);
-            const Real<N> inverse = roughInverse(best * beam_.depthScale(v));
-            low_[v] = select(tested, inverse * Real<N>(1 - 0x1p-9f), low_[v]);
-            high_[v] = select(tested, inverse * Real<N>(1 + 0x1p-9f), high_[v]);
+            const Real<N> found = roughInverse(best * beam_.depthScale(v));
+            low_[v] = select(tested, found * Real<N>(1 - 0x1p-9f), low_[v]);
+            high_[v] = select(tested, found * Real<N>(1 + 0x1p-9f), high_[v]);
         }
         return true;
     }
