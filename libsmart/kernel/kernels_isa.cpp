@@ -187,12 +187,11 @@ bool findApex(const TileLanes& legal, const Search<kPacketSize, M, NoCounts>* qu
     return true;
 }
 
-/// Callers with many tiles have them in a row, and memory is far: while this one is traced, the
-/// next one comes nearer. What else may lie there is only looked up, never read.
-inline void prefetchBehind(const RayPacket* packets, uint32_t count) {
-    const char* const next = reinterpret_cast<const char*>(packets + count);
-    for (std::size_t at = 0; at < count * sizeof(RayPacket); at += 64)
-        __builtin_prefetch(next + at);
+/// Callers with many tiles have them in a row, and memory is far: while one is traced, the next one
+/// comes nearer. What else may lie there is only looked up, never read.
+inline void prefetchBehind(const RayPacket* packets, uint32_t count, uint32_t v) {
+    const char* const next = reinterpret_cast<const char*>(packets + count + v);
+    for (std::size_t at = 0; at < sizeof(RayPacket); at += 64) __builtin_prefetch(next + at);
 }
 
 /// Fills the queries of a tile with what its rays hit.
@@ -202,8 +201,11 @@ void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
     RayTile tile;
     TileLanes legal{};
     WorldRays<kPacketSize> world;
-    prefetchBehind(packets, count);
+    // Not all at once, which would wait: the others' turn is when hits are refined.
+    if (M == HitMode::Any)
+        for (uint32_t v = 1; v < count; v += 2) prefetchBehind(packets, count, v);
     for (uint32_t v = 0; v < count; ++v) {
+        if (v % 2 == 0) prefetchBehind(packets, count, v);
         const RayArrays in(packets[v]);
         query[v].lastOfEqual = scene.lastOfEqual != 0;
         query[v].wideReady = scene.wideReady != 0;
@@ -231,6 +233,7 @@ void intersectTile(const ModelView& scene, const RayPacket* packets, uint32_t co
         runTile<Precision>(scene, packets, count, query);
         HitRefinement<kPacketSize> found[kTilePackets];
         for (uint32_t v = 0; v < count; ++v) {
+            if (v % 2 != 0) prefetchBehind(packets, count, v);
             const RayArrays in(packets[v]);
             found[v].fetch(scene, in.org, in.dir, query[v].triangle, query[v].levels,
                            query[v].path);
