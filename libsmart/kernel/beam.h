@@ -91,7 +91,9 @@ struct alignas(64) SeenBoxes {
 ///
 /// The lines of rays that head for the apex pass it by as much as origin and direction round;
 /// `stray` says how far, across the dominant axis. Boxes are padded by that, and by 16 u S for the
-/// rounding here and in the triangle test, where u = 2^-24 and S is the largest coordinate.
+/// rounding here and in the triangle test, where u = 2^-24 and S is the largest coordinate: the
+/// planes are off by 2 u S here, the slopes by 2 u, their inverses by 2.1 u and the product by u,
+/// of a distance of up to 2 S; the triangle test is off by 3 u S.
 class Beam {
 public:
     static constexpr int N = kPacketSize;
@@ -103,12 +105,20 @@ public:
             apex_[k] = tile.apex[axis_[k]];
             sign_[k] = group.negative[axis_[k]] == tile.startsThere ? -1.0f : 1.0f;
         }
-        for (int v = 0; v < kTileVectors; ++v)
-            if (lanes.of[v])
-                addPacket(tile.rays[v], lanes.of[v], v);
-            else
-                inverse_[0][v] = inverse_[1][v] = Real<N>(0.0f);
-        span(lanes);
+        int some = 0;
+        for (int v = 0; v < kTileVectors; ++v) {
+            if (!lanes.of[v]) continue;
+            addPacket(tile.rays[v], lanes.of[v], v);
+            some = v;
+        }
+        for (int v = 0; v < kTileVectors; ++v) {
+            if (lanes.of[v]) continue;
+            for (int k = 0; k < 2; ++k) {
+                slope_[k][v] = slope_[k][some];
+                inverse_[k][v] = inverse_[k][some];
+            }
+        }
+        span();
         stray(tile, lanes);
         widest_ = maxAbs * 0x1p-8f;
         scale_ = largerOf(maxAbs, reach_);
@@ -134,7 +144,7 @@ public:
     float depthSign() const { return sign_[2]; }  ///< of z
     float centre(int k) const { return centre_[k]; }
     float half(int k) const { return half_[k]; }  ///< of all slopes about the centre
-    /// Slopes less the centre's; of lanes that are off, those of some other.
+    /// Slopes less the centre's; of lanes and packets that are off, those of some other.
     const Real<N>& slope(int k, int v) const { return slope_[k][v]; }
     /// Slopes of packet v less the centre's: their middle, and the largest half width of all.
     float packetCentre(int k, int v) const { return packetCentre_[k][v]; }
@@ -168,6 +178,14 @@ public:
         return from <= to;
     }
 
+    /// Whether rays may meet any of a node's boxes, however far away.
+    bool mayMeet(const WideNode& node) const {
+        SeenBoxes seen;
+        see(node, seen);
+        Real<N> from;
+        return any(meet(seen, 0.0f, __builtin_inff(), from));
+    }
+
     /// Which rays of packet v meet one of the boxes between their depths `near` and `far`.
     HWY_INLINE Mask<N> meet(const SeenBoxes& seen, int box, int v, const Real<N>& near,
                             const Real<N>& far) const {
@@ -189,36 +207,37 @@ private:
         depthScale_[v] = magnitude(z);
         for (int k = 0; k < 2; ++k) {
             const Real<N> slope = Real<N>::load(rays.dir[axis_[k]]) * inverse;
-            const float one = rays.dir[axis_[k]][some] / rays.dir[axis_[2]][some];
-            slope_[k][v] = select(on, slope, Real<N>(one));
-            packetLow_[k][v] = smallestLane(slope_[k][v]);
-            packetHigh_[k][v] = largestLane(slope_[k][v]);
-            inverse_[k][v] = Real<N>(1.0f) / max(magnitude(slope), Real<N>(0x1p-100f));
+            slope_[k][v] = slope;
+            if (lanes != (1u << N) - 1u)
+                slope_[k][v] = select(
+                    on, slope, Real<N>(rays.dir[axis_[k]][some] / rays.dir[axis_[2]][some]));
+            inverse_[k][v] = reciprocal(max(magnitude(slope), Real<N>(0x1p-100f)));
         }
     }
 
     /// What the packets' slopes span together.
-    void span(const TileLanes& lanes) {
+    void span() {
         for (int k = 0; k < 2; ++k) {
-            float low = __builtin_inff(), high = -__builtin_inff();
-            for (int v = 0; v < kTileVectors; ++v) {
-                if (!lanes.of[v]) continue;
-                low = lesserOf(low, packetLow_[k][v]);
-                high = largerOf(high, packetHigh_[k][v]);
-            }
+            Real<N> negative[kTileVectors];
+            for (int v = 0; v < kTileVectors; ++v) negative[v] = Real<N>(0.0f) - slope_[k][v];
+            float least[kTileVectors], most[kTileVectors]; // the latter times -1
+            smallestLanes(slope_[k], least);
+            smallestLanes(negative, most);
+            const float low = lesserOf(lesserOf(least[0], least[1]), lesserOf(least[2], least[3]));
+            const float high = -lesserOf(lesserOf(most[0], most[1]), lesserOf(most[2], most[3]));
             centre_[k] = 0.5f * (low + high);
             half_[k] = largerOf(high - centre_[k], centre_[k] - low) * (1 + 0x1p-20f) + 0x1p-40f;
-            packetHalf_[k] = 0;
+            float widest[kTileVectors];
             for (int v = 0; v < kTileVectors; ++v) {
-                if (!lanes.of[v]) continue;
-                const float middle = 0.5f * (packetLow_[k][v] + packetHigh_[k][v]);
-                const float half =
-                    largerOf(packetHigh_[k][v] - middle, middle - packetLow_[k][v]);
+                const float middle = 0.5f * (least[v] - most[v]);
+                widest[v] = largerOf(-most[v] - middle, middle - least[v]);
                 packetCentre_[k][v] = middle - centre_[k];
-                packetHalf_[k] = largerOf(packetHalf_[k], half);
                 slope_[k][v] = slope_[k][v] - Real<N>(centre_[k]);
             }
-            packetHalf_[k] = packetHalf_[k] * (1 + 0x1p-20f) + 0x1p-22f * half_[k];
+            packetHalf_[k] =
+                largerOf(largerOf(widest[0], widest[1]), largerOf(widest[2], widest[3])) *
+                    (1 + 0x1p-20f) +
+                0x1p-22f * half_[k];
             // The slopes of a group have one sign.
             const float a = __builtin_fabsf(low), b = __builtin_fabsf(high);
             steepest_[k] = (1 - 0x1p-20f) / largerOf(largerOf(a, b), 0x1p-100f);
@@ -256,7 +275,6 @@ private:
     int axis_[3];
     float apex_[3], sign_[3], enterApex_[3], leaveApex_[3];
     float centre_[2], half_[2], packetHalf_[2], steepest_[2], flattest_[2];
-    float packetLow_[2][kTileVectors], packetHigh_[2][kTileVectors];
     float packetCentre_[2][kTileVectors];
     float stray_ = 0, reach_ = 0, overshoot_ = 0, scale_, pad_, widest_;
     Real<N> slope_[2][kTileVectors], inverse_[2][kTileVectors];

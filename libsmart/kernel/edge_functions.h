@@ -85,7 +85,8 @@ HWY_INLINE uint64_t EdgeFunctions::setUp(const Beam& beam, const float* corners,
     const R error = select(size >= least, min(doubt * inverse + R(0x1p-20f), unknown), unknown);
     const Mask<N> regular = error <= R(0x1p-4f);
     const R one = select(det < R(0.0f), R(-beam.depthSign()), R(beam.depthSign()));
-    const R flip = select(error <= R(0.25f), one, R(0.0f)); // 0: the sign is not known
+    // 0: the sign is not known. As error <= 1/4, without waiting for the division.
+    const R flip = select((size >= least) & (doubt <= size * R(0.25f - 0x1p-18f)), one, R(0.0f));
     const R scale = flip * inverse;
     const R dx = select(regular, mx * scale, zero), dy = select(regular, my * scale, zero);
     const R dz = select(regular, mz * scale, infinity);
@@ -99,7 +100,6 @@ HWY_INLINE uint64_t EdgeFunctions::setUp(const Beam& beam, const float* corners,
     (R(1.0f) - error).store(farther);
 
     const R halfX(beam.packetHalf(0)), halfY(beam.packetHalf(1));
-    const uint32_t all = (1u << count) - 1u;
     R nx[3], ny[3], nz[3], reach[3];
     for (int e = 0; e < 3; ++e) {
         const int b = (e + 1) % 3, c = (e + 2) % 3;
@@ -114,13 +114,15 @@ HWY_INLINE uint64_t EdgeFunctions::setUp(const Beam& beam, const float* corners,
     const R nearest = (dz + magnitude(dx) * halfX + magnitude(dy) * halfY) * up;
     uint64_t candidates = 0;
     for (int v = 0; v < kTileVectors; ++v) {
-        if (!(packets >> v & 1)) continue;
         const R cx(beam.packetCentre(0, v)), cy(beam.packetCentre(1, v));
         Mask<N> in = nearest + (dx * cx + dy * cy) * up >= R(farthest[v]);
         for (int e = 0; e < 3; ++e) in = in & (reach[e] + nx[e] * cx + ny[e] * cy >= zero);
-        candidates |= uint64_t(in.bits() & all) << (16 * v);
+        candidates |= uint64_t(in.bits()) << (16 * v);
     }
-    return candidates;
+    // Sixteen equal bits for each packet.
+    const uint64_t first = (packets & 1u) | uint64_t(packets & 2u) << 15 |
+                           uint64_t(packets & 4u) << 30 | uint64_t(packets & 8u) << 45;
+    return candidates & first * ((1u << count) - 1u);
 }
 
 } // namespace smart::SMART_ISA

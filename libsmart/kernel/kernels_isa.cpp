@@ -73,7 +73,8 @@ template <class Counter>
 void store(const Search<kPacketSize, HitMode::Closest, Counter>& query, HitPacket& hits) {
     __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
     __builtin_memcpy(hits.levels, query.levels, sizeof hits.levels);
-    __builtin_memcpy(hits.path, query.path, query.deepest * sizeof hits.path[0]);
+    for (uint32_t l = 0; l < query.deepest; ++l)
+        __builtin_memcpy(hits.path[l], query.path[l], sizeof hits.path[l]);
 }
 
 template <template <int> class Precision, class Counter>
@@ -186,6 +187,13 @@ bool findApex(const TileLanes& legal, const Search<kPacketSize, M, NoCounts>* qu
     return true;
 }
 
+/// Callers with many tiles have them in a row, and memory is far: while one is traced, the next one
+/// comes nearer. What else may lie there is only looked up, never read.
+inline void prefetchBehind(const RayPacket* packets, uint32_t count, uint32_t v) {
+    const char* const next = reinterpret_cast<const char*>(packets + count + v);
+    for (std::size_t at = 0; at < sizeof(RayPacket); at += 64) __builtin_prefetch(next + at);
+}
+
 /// Fills the queries of a tile with what its rays hit.
 template <template <int> class Precision, HitMode M>
 void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
@@ -193,7 +201,11 @@ void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
     RayTile tile;
     TileLanes legal{};
     WorldRays<kPacketSize> world;
+    // Not all at once, which would wait: the others' turn is when hits are refined.
+    if (M == HitMode::Any)
+        for (uint32_t v = 1; v < count; v += 2) prefetchBehind(packets, count, v);
     for (uint32_t v = 0; v < count; ++v) {
+        if (v % 2 == 0) prefetchBehind(packets, count, v);
         const RayArrays in(packets[v]);
         query[v].lastOfEqual = scene.lastOfEqual != 0;
         query[v].wideReady = scene.wideReady != 0;
@@ -219,11 +231,15 @@ void intersectTile(const ModelView& scene, const RayPacket* packets, uint32_t co
     } else {
         Search<kPacketSize, HitMode::Closest, NoCounts> query[kTilePackets];
         runTile<Precision>(scene, packets, count, query);
+        HitRefinement<kPacketSize> found[kTilePackets];
         for (uint32_t v = 0; v < count; ++v) {
+            if (v % 2 != 0) prefetchBehind(packets, count, v);
             const RayArrays in(packets[v]);
-            refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, query[v].triangle,
-                                    query[v].levels, query[v].path, hits[v].t, hits[v].u,
-                                    hits[v].v);
+            found[v].fetch(scene, in.org, in.dir, query[v].triangle, query[v].levels,
+                           query[v].path);
+        }
+        for (uint32_t v = 0; v < count; ++v) {
+            found[v].place(packets[v].tNear, packets[v].tFar, hits[v].t, hits[v].u, hits[v].v);
             store(query[v], hits[v]);
         }
     }

@@ -193,6 +193,44 @@ inline float largestLane(const Real<kPacketSize>& a) {
     for (int i = 1; i < kRegisters; ++i) m = hn::Max(m, a.v[i]);
     return hn::GetLane(hn::MaxOfLanes(Tag(), m));
 }
+inline Mask<kPacketSize> operator!=(const Word<kPacketSize>& a, const Word<kPacketSize>& b) {
+    Mask<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i)
+        r.m[i] = hn::RebindMask(Tag(), hn::Ne(a.v[i], b.v[i]));
+    return r;
+}
+/// The smallest lanes of four: together, as neighbours are halved in all of them at once.
+inline void smallestLanes(const Real<kPacketSize> (&a)[4], float* smallest) {
+#if HWY_TARGET == HWY_SCALAR
+    for (int i = 0; i < 4; ++i) smallest[i] = smallestLane(a[i]);
+#else
+    const Tag tag;
+    hn::Vec<Tag> m[4];
+    for (int i = 0; i < 4; ++i) {
+        m[i] = a[i].v[0];
+        for (int j = 1; j < kRegisters; ++j) m[i] = hn::Min(m[i], a[i].v[j]);
+    }
+    const auto halve = [tag](hn::Vec<Tag> low, hn::Vec<Tag> high) HWY_ATTR {
+        return hn::Min(hn::ConcatEven(tag, high, low), hn::ConcatOdd(tag, high, low));
+    };
+    hn::Vec<Tag> all = halve(halve(m[0], m[1]), halve(m[2], m[3]));
+    for (int lanes = kRegisterLanes; lanes > 4; lanes /= 2) all = halve(all, all);
+    alignas(64) float lanes[kRegisterLanes];
+    hn::Store(all, tag, lanes);
+    for (int i = 0; i < 4; ++i) smallest[i] = lanes[i];
+#endif
+}
+
+/// Values not below 0 with the lane's number for their lowest four bits: no two are equal.
+inline Real<kPacketSize> numbered(const Real<kPacketSize>& a) {
+    Real<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i) {
+        const auto bits = hn::AndNot(hn::Set(WordTag(), 15u), hn::BitCast(WordTag(), a.v[i]));
+        const auto number = hn::Iota(WordTag(), uint32_t(i * kRegisterLanes));
+        r.v[i] = hn::BitCast(Tag(), hn::Or(bits, number));
+    }
+    return r;
+}
 /// 1/a for positive normal a, off by less than 2^-14 of it; how much depends on the machine.
 inline Real<kPacketSize> roughReciprocal(const Real<kPacketSize>& a) {
     Real<kPacketSize> r;
@@ -201,6 +239,12 @@ inline Real<kPacketSize> roughReciprocal(const Real<kPacketSize>& a) {
         r.v[i] = hn::Mul(x, hn::Sub(hn::Set(Tag(), 2.0f), hn::Mul(a.v[i], x)));
     }
     return r;
+}
+
+/// The same, off by less than 2.1 * 2^-24 of it.
+inline Real<kPacketSize> reciprocal(const Real<kPacketSize>& a) {
+    const Real<kPacketSize> x = roughReciprocal(a);
+    return x * (Real<kPacketSize>(2.0f) - a * x);
 }
 
 template <>
@@ -244,6 +288,7 @@ inline Mask<1> operator>(Real<1> a, Real<1> b) { return {a.v > b.v}; }
 inline Mask<1> operator>=(Real<1> a, Real<1> b) { return {a.v >= b.v}; }
 inline Mask<1> operator==(Real<1> a, Real<1> b) { return {a.v == b.v}; }
 inline Mask<1> operator!=(Real<1> a, Real<1> b) { return {a.v != b.v}; }
+inline Mask<1> operator!=(Word<1> a, Word<1> b) { return {a.v != b.v}; }
 inline Mask<1> operator&(Mask<1> a, Mask<1> b) { return {a.m && b.m}; }
 inline Mask<1> operator|(Mask<1> a, Mask<1> b) { return {a.m || b.m}; }
 inline Mask<1> andNot(Mask<1> a, Mask<1> b) { return {a.m && !b.m}; }

@@ -39,7 +39,7 @@ public:
                 packets(model, tile, same, query);
                 continue;
             }
-            if (model.wide.nodes) {
+            if (model.wide.nodes && beam.mayMeet(model.wide.nodes[0])) {
                 TileTraversal<Precision, M> triangles(model, tile, beam, group, same, query);
                 triangles.run();
                 triangles.finish(more || model.childCount > 0);

@@ -49,11 +49,13 @@ public:
         // Records of the fast mode are off by some units in the last place of the coordinates.
         if (!kDecides) slack_ = slack_ + 160 * 0x1p-24f * beam.scale();
         for (int v = 0; v < kTileVectors; ++v)
-            if (lanes.of[v])
+            if (lanes.of[v]) {
                 start(v);
-            else
+            } else {
                 near_[v] = farDepth_[v] = Real<N>(-__builtin_inff());
-        updateLimits(packets_);
+                low_[v] = Real<N>(__builtin_inff());
+            }
+        updateLimits();
     }
 
     void run() {
@@ -92,7 +94,7 @@ public:
         EdgeFunctions edges;
         uint64_t pairs = edges.setUp(beam_, triangles, count, packets, farthest_, slack_);
         if (!pairs) return;
-        uint32_t changed = 0;
+        bool changed = false;
         for (; pairs; pairs &= pairs - 1) {
             const int pair = __builtin_ctzll(pairs);
             const int v = pair >> 4, i = pair & 15;
@@ -113,18 +115,18 @@ public:
                                      (lower >= high_[v]) & (upper <= inverseLimit_[v]);
                 const uint32_t taken = sure.bits(), open = possible.bits() & ~taken;
                 take(v, taken, sure, lower, upper, number(triangles, count, i));
-                changed |= uint32_t(taken != 0) << v;
+                changed |= taken != 0;
                 uint32_t rest = open;
                 if (M == HitMode::Any && open && edges.sure[i] < __builtin_inff())
                     rest = ahead(triangles, count, i, v, open);
                 if (!rest) continue;
-                changed |= uint32_t(decide(triangles, count, i, v, rest)) << v;
+                changed |= decide(triangles, count, i, v, rest);
             } else {
                 const uint32_t open = possible.bits();
-                if (open) changed |= uint32_t(decide(triangles, count, i, v, open)) << v;
+                if (open) changed |= decide(triangles, count, i, v, open);
             }
         }
-        if (changed) updateLimits(changed);
+        if (changed) updateLimits();
     }
 
 private:
@@ -139,31 +141,31 @@ private:
             tile_.startsThere ? max(range.from, doubtful) : range.from + Real<N>(4 * beam_.pad());
         near_[v] = range.from;
         const Real<N> slip(tile_.startsThere ? 0.0f : 4 * beam_.pad());
-        low_[v] = select(on, roughInverse(range.limit + slip) * Real<N>(1 - 0x1p-10f),
+        low_[v] = select(on, inverse(range.limit + slip) * Real<N>(1 - 0x1p-18f),
                          Real<N>(__builtin_inff()));
-        high_[v] = roughInverse(range.limit - slip) * Real<N>(1 + 0x1p-10f);
+        high_[v] = inverse(range.limit - slip) * Real<N>(1 + 0x1p-18f);
         inverseLimit_[v] = roughInverse(surelyFrom * Real<N>(1 + 0x1p-8f));
         farDepth_[v] = select(on, range.to, Real<N>(-__builtin_inff()));
         if (any(on & (range.from <= range.to))) packets_ |= 1u << v;
     }
-    /// 1/a, off by less than 2^-13 of it, for a from 0 to infinity.
-    static Real<N> roughInverse(const Real<N>& a) {
-        return roughReciprocal(min(max(a, Real<N>(0x1p-100f)), Real<N>(0x1p100f)));
+    static Real<N> bounded(const Real<N>& a) {
+        return min(max(a, Real<N>(0x1p-100f)), Real<N>(0x1p100f));
     }
+    /// 1/a for a from 0 to infinity, off by less than 2^-13 of it, and by less than 2^-22.
+    static Real<N> roughInverse(const Real<N>& a) { return roughReciprocal(bounded(a)); }
+    static Real<N> inverse(const Real<N>& a) { return reciprocal(bounded(a)); }
 
-    /// After hits of the packets given: how far the rays still have to look.
-    HWY_INLINE void updateLimits(uint32_t packets) {
+    /// After hits: how far the rays still have to look. All packets alike: to ask which have
+    /// changed costs more.
+    HWY_INLINE void updateLimits() {
         Real<N> far(-__builtin_inff());
         for (int v = 0; v < kTileVectors; ++v) {
-            if (packets >> v & 1) {
-                if constexpr (M == HitMode::Closest)
-                    farDepth_[v] = select(Mask<N>::fromBits(lanes_.of[v]),
-                                          roughInverse(low_[v]) * Real<N>(1 + 0x1p-12f),
-                                          farDepth_[v]);
-                farthest_[v] = smallestLane(low_[v]);
-            }
-            if (packets_ >> v & 1) far = max(far, farDepth_[v]);
+            if constexpr (M == HitMode::Closest)
+                farDepth_[v] =
+                    min(farDepth_[v], roughInverse(low_[v]) * Real<N>(1 + 0x1p-12f));
+            far = max(far, farDepth_[v]);
         }
+        smallestLanes(low_, farthest_);
         far_ = largestLane(far);
     }
 
@@ -186,7 +188,12 @@ private:
             high_[v] = select(mask, upper, high_[v]);
             found_[v] = select(mask, Word<N>(triangle), found_[v]);
             unsettled_[v] |= lanes;
-            __builtin_prefetch(model_.triangles + triangle);
+            // For the refinement; if nothing is taken, something that is near anyway.
+            const char* const hit =
+                lanes ? reinterpret_cast<const char*>(model_.triangles + triangle)
+                      : reinterpret_cast<const char*>(this);
+            __builtin_prefetch(hit);
+            __builtin_prefetch(hit + sizeof(Triangle) - 1);
         }
     }
     HWY_INLINE void block(int v, uint32_t lanes) {
@@ -272,9 +279,9 @@ private:
             best.store(query.best);
             // In double, `comparable` may have found a nearer one by itself.
             const Mask<N> tested = Mask<N>::fromBits(lanes);
-            const Real<N> inverse = roughInverse(best * beam_.depthScale(v));
-            low_[v] = select(tested, inverse * Real<N>(1 - 0x1p-9f), low_[v]);
-            high_[v] = select(tested, inverse * Real<N>(1 + 0x1p-9f), high_[v]);
+            const Real<N> found = roughInverse(best * beam_.depthScale(v));
+            low_[v] = select(tested, found * Real<N>(1 - 0x1p-9f), low_[v]);
+            high_[v] = select(tested, found * Real<N>(1 + 0x1p-9f), high_[v]);
         }
         return true;
     }

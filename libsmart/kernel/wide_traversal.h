@@ -34,11 +34,11 @@ struct DepthRange {
 template <class State>
 void traverseWide(const WideNode* nodes, const Beam& beam, State& state) {
     constexpr int N = kPacketSize;
+    // Written and read word by word: what is stored in parts arrives late where it is loaded whole.
     struct Entry {
         float near;
         uint32_t child;
-        uint8_t slot, packets;
-        uint16_t level; ///< of the node whose child it is
+        uint32_t place; ///< slot, packets << 4, level of the node whose child it is << 8
     };
     SeenBoxes seen[kWideMaxDepth];
     Entry stack[kWideMaxDepth * kWideChildren];
@@ -48,38 +48,44 @@ void traverseWide(const WideNode* nodes, const Beam& beam, State& state) {
         const WideNode& node = nodes[index];
         beam.see(node, seen[level]);
         Real<N> from;
-        uint32_t hits = beam.meet(seen[level], 0.0f, state.farthestDepth(), from).bits();
-        alignas(64) float near[N];
+        const uint32_t hits = beam.meet(seen[level], 0.0f, state.farthestDepth(), from).bits();
+        alignas(64) float near[N], order[N];
         from.store(near);
-        const int base = top;
-        for (; hits; hits &= hits - 1) {
-            const int slot = lowestBit(hits);
+        const Real<N> distinct = numbered(from);
+        distinct.store(order);
+        const uint32_t above = packets << 4 | level << 8;
+        for (uint32_t rest = hits; rest; rest &= rest - 1) {
+            const int slot = lowestBit(rest);
             const uint32_t child = node.child[slot];
             state.prefetch(child);
-            int at = top++;
-            for (; at > base && stack[at - 1].near < near[slot]; --at) stack[at] = stack[at - 1];
-            stack[at] = {near[slot], child, uint8_t(slot), uint8_t(packets), uint16_t(level)};
+            // Its place by counting, as a sort has branches that nobody can predict.
+            const uint32_t farther = hits & (distinct > Real<N>(order[slot])).bits();
+            stack[top + __builtin_popcount(farther)] = {near[slot], child, uint32_t(slot) | above};
         }
+        top += __builtin_popcount(hits);
     };
 
     open(0, 0, state.packets());
     while (top > 0) {
-        const Entry entry = stack[--top];
+        const Entry& entry = stack[--top];
         if (entry.near > state.farthestDepth()) continue;
+        const uint32_t place = entry.place, level = place >> 8;
+        const SeenBoxes& boxes = seen[level];
         uint32_t packets = 0;
         Mask<N> active[kTileVectors];
         for (int v = 0; v < kTileVectors; ++v) {
-            active[v] = beam.meet(seen[entry.level], entry.slot, v, state.nearDepth(v),
-                                  state.farDepth(v));
+            active[v] =
+                beam.meet(boxes, int(place & 15u), v, state.nearDepth(v), state.farDepth(v));
             packets |= uint32_t(any(active[v])) << v;
         }
-        packets &= entry.packets;
+        packets &= place >> 4;
         if (!packets) continue;
-        if (entry.child & kWideLeaf) {
-            state.leaf(entry.child, packets, active);
+        const uint32_t child = entry.child;
+        if (child & kWideLeaf) {
+            state.leaf(child, packets, active);
             if (!state.packets()) return;
         } else {
-            open(entry.child, entry.level + 1u, packets);
+            open(child, level + 1u, packets);
         }
     }
 }

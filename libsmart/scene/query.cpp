@@ -46,6 +46,22 @@ public:
         return used;
     }
 
+    /// Asks for rays that lie one behind the other before they are needed: memory is far.
+    void prefetch(std::size_t first, std::size_t count) const {
+        if (stream_.stride != 1) return;
+        const auto ask = [&](const float* values) {
+            constexpr std::size_t kLine = 64 / sizeof(float);
+            for (std::size_t i = 0; values && i < count; i += kLine)
+                __builtin_prefetch(values + first + i);
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!stream_.commonOrigin) ask(stream_.org[axis]);
+            ask(stream_.dir[axis]);
+        }
+        ask(stream_.tNear);
+        ask(stream_.tFar);
+    }
+
 private:
     /// Sixteen rays that lie one behind the other.
     void copy(RayPacket& packet, std::size_t first) const {
@@ -192,6 +208,7 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
     for (std::size_t first = 0; first < count; first += kTileLanes) {
         const std::size_t lanes = std::min(kTileLanes, count - first);
         const uint32_t used = reader.fill(packets, first, lanes);
+        reader.prefetch(first + lanes, std::min(kTileLanes, count - first - lanes));
         if (tiled)
             intersectTile(scene.view(), packets, used, found);
         else
@@ -222,6 +239,7 @@ void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, st
     for (std::size_t first = 0; first < count; first += kTileLanes) {
         const std::size_t lanes = std::min(kTileLanes, count - first);
         const uint32_t used = reader.fill(packets, first, lanes);
+        reader.prefetch(first + lanes, std::min(kTileLanes, count - first - lanes));
         uint32_t masks[kTilePackets] = {};
         if (tiled)
             occludedTile(scene.view(), packets, used, masks);

@@ -322,6 +322,69 @@ TEST(TileTraversal, LargeCoordinates) {
     }
 }
 
+TEST(TileTraversal, DistancesBeyondFloat) {
+    auto mesh = bumpySphere(500);
+    for (Triangle& triangle : mesh)
+        for (float* v : {triangle.v0, triangle.v1, triangle.v2})
+            for (int k = 0; k < 3; ++k) v[k] *= 1e10f;
+    const PlainScene scene(mesh);
+    auto rays = cameraRays(kPoses[0], 24, 24);
+    for (Ray& ray : rays)
+        for (int k = 0; k < 3; ++k) {
+            ray.org[k] *= 1e10f;
+            ray.dir[k] *= 1e-32f;
+        }
+    EXPECT_GT(expectSame(scene.scene(), rays, "t of some 1e42"), 0u);
+    std::size_t infinite = 0;
+    for (const Hit& hit : traceSingles(kernels(), Precision::Watertight, scene.view(), rays))
+        infinite += hit.triangle != kNoHit && hit.t == INFINITY;
+    EXPECT_GT(infinite, 0u);
+}
+
+/// 1 + 2^-bits and 1 - 2^-bits in turns.
+double nearOne(std::size_t i, int bits) { return 1 + std::ldexp(i % 2 ? 1.0 : -1.0, -bits); }
+
+TEST(TileTraversal, LimitsNearTheHit) {
+    const PlainScene scene(bumpySphere(3000));
+    const std::vector<Ray> camera = cameraRays(kPoses[0], 40, 40);
+    for (const bool far : {true, false}) {
+        std::vector<Ray> rays;
+        for (std::size_t i = 0; i < camera.size(); ++i) {
+            Hit hit;
+            kernels().intersect1[int(Precision::Watertight)](scene.view(), camera[i], hit);
+            if (hit.triangle == kNoHit) continue;
+            Ray ray = camera[i];
+            (far ? ray.tFar : ray.tNear) = float(hit.t * nearOne(i, 6 + int(i / 2 % 20)));
+            rays.push_back(ray);
+        }
+        expectSame(scene.scene(), rays, far ? "far limits" : "near limits");
+    }
+}
+
+TEST(TileTraversal, ShadowRaysThatStartNearTheirSurface) {
+    for (const auto& mesh : {bumpySphere(3000), heightfield(3000)}) {
+        const PlainScene scene(mesh);
+        const std::vector<Ray> camera = cameraRays(kPoses[0], 40, 40);
+        for (const auto& light : kLights) {
+            std::vector<Ray> rays;
+            for (std::size_t i = 0; i < camera.size(); ++i) {
+                Hit hit;
+                kernels().intersect1[int(Precision::Watertight)](scene.view(), camera[i], hit);
+                if (hit.triangle == kNoHit) continue;
+                Ray ray{};
+                const double t = hit.t * nearOne(i, 6 + int(i / 2 % 20));
+                for (int k = 0; k < 3; ++k) {
+                    ray.org[k] = float(camera[i].org[k] + t * camera[i].dir[k]);
+                    ray.dir[k] = float(light[k] - ray.org[k]);
+                }
+                ray.tFar = 1;
+                rays.push_back(ray);
+            }
+            expectSame(scene.scene(), rays, "behind and before what was seen");
+        }
+    }
+}
+
 TEST(TileTraversal, EqualDistancesGoToTheLowest) {
     const auto mesh = icosphere(3);
     std::vector<Triangle> twice = mesh;
