@@ -2,6 +2,7 @@
 // The two float policies: how a group of rays is prepared for a tree, and how it meets a triangle.
 #pragma once
 
+#include "libsmart/kernel/block_hits.h"
 #include "libsmart/kernel/shear.h"
 
 namespace smart::SMART_ISA {
@@ -15,7 +16,10 @@ public:
     using Rays = LocalRays<N>;
 
     Watertight(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group)
-        : triangles_(model.triangles), shear_(rays, group), rays_(rays) {
+        : Watertight(model, rays, group, Shear<N>(rays, group)) {}
+    Watertight(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group,
+               const Shear<N>& shear)
+        : triangles_(model.triangles), shear_(shear), rays_(rays) {
         const float maxAbs = triangleBox(model).maxAbs;
         // Weights of slivers err in float, and t with them, by a share of the triangle's depth.
         doubtful_ = magnitude(shear_.scale()) *
@@ -39,28 +43,53 @@ public:
         return someLarge_ ? meetLarge(triangle, active, t) : meetInFloat(triangle, active, t);
     }
 
-    /// Of the triangles of a block, those that the one ray may hit: `meet` and `comparable`, which
-    /// compute the same, find that it misses all others, or their limits.
-    HWY_INLINE uint32_t candidates(const TriangleBlock& block, const Real<1>& near,
-                                   const Real<1>& best) const
+    /// What `meet` and `comparable` would say of the triangles of a block; the same arithmetic.
+    HWY_INLINE void meet(const TriangleBlock& block, const Real<1>& near, const Real<1>& best,
+                         BlockHits& hits) const
         requires(N == 1)
     {
         using R = Real<kPacketSize>;
-        if (someLarge_) return block.all();
+        hits.sure = hits.atStart = hits.unsure = 0;
+        if (someLarge_) {
+            hits.unsure = block.all();
+            return;
+        }
         const Sheared<kPacketSize> sheared = shear_(block);
         R u, v, w;
         sheared.edgeFunctions(u, v, w);
         const R zero(0.0f), limit(best.v);
         const auto inside = (min(min(u, v), w) >= zero) | (max(max(u, v), w) <= zero);
         const uint32_t met = inside.bits() & block.all();
-        if (!met) return 0;
+        if (!met) return;
         const R t = (u * sheared.a[2] + v * sheared.b[2] + w * sheared.c[2]) *
                     R(shear_.scale().v) / (u + v + w);
-        const auto inRange = (t >= R(near.v)) & (t <= limit);
-        const auto undecided = (u == zero) | (v == zero) | (w == zero);
-        const auto doubtful = (magnitude(t) <= R(doubtful_.v)) |
-                              (magnitude(t - limit) <= R((doubtful_ * Real<1>(0x1p-6f)).v));
-        return met & (inRange | undecided | doubtful).bits();
+        t.store(hits.t);
+        const uint32_t inRange = ((t >= R(near.v)) & (t <= limit)).bits();
+        const uint32_t undecided = met & ((u == zero) | (v == zero) | (w == zero)).bits();
+        const uint32_t atStart = met & (magnitude(t) <= R(doubtful_.v)).bits();
+        const uint32_t close =
+            met & (magnitude(t - limit) <= R((doubtful_ * Real<1>(0x1p-6f)).v)).bits();
+        hits.unsure = undecided | close;
+        hits.atStart = atStart & ~hits.unsure;
+        hits.sure = met & inRange & ~(hits.unsure | hits.atStart);
+    }
+    /// Whether float can compare t with `best`.
+    bool apart(float t, const Real<1>& best) const
+        requires(N == 1)
+    {
+        return !(magnitude(Real<1>(t) - best) <= doubtful_ * Real<1>(0x1p-6f)).m;
+    }
+    /// Whether the ray starts behind triangle i of a block, which it meets, or more than `near`
+    /// before its start, for certain.
+    bool isBehind(const TriangleBlock& block, uint32_t i, const Real<1>& near,
+                  const Real<1>& best) const
+        requires(N == 1)
+    {
+        Triangle triangle;
+        block.load(i, triangle);
+        const double exact = distance(Plane(triangle), 0, 0x1p1000);
+        const float t = float(exact);
+        return exact < 0x1p1000 && t < near.v && apart(t, best);
     }
 
     /// Of the lanes that meet the triangle at t, those for which float can compare t with `best`:
@@ -266,8 +295,16 @@ public:
         }
     }
 
-    uint32_t candidates(const TriangleBlock& block, const Real<1>&, const Real<1>&) const {
-        return block.all();
+    Fast(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group, const Shear<N>&)
+        : Fast(model, rays, group) {}
+
+    void meet(const TriangleBlock& block, const Real<1>&, const Real<1>&, BlockHits& hits) const {
+        hits.sure = hits.atStart = 0;
+        hits.unsure = block.all();
+    }
+    static bool apart(float, const Real<1>&) { return false; }
+    static bool isBehind(const TriangleBlock&, uint32_t, const Real<1>&, const Real<1>&) {
+        return false;
     }
 
     HWY_INLINE Mask<N> meet(uint32_t number, const Mask<N>& active, Real<N>& t) const {

@@ -95,6 +95,8 @@ struct TreeRays {
     Real<N> enterOrg[3]; ///< ... begins: padded to be early
     const RayGroup& group;
 
+    /// To be filled in.
+    explicit TreeRays(const RayGroup& g) : group(g) {}
     /// share: see PlanePadding
     template <class Rays>
     TreeRays(const BoxView& tree, const Rays& rays, const RayGroup& g, float share) : group(g) {

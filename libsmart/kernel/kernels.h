@@ -35,6 +35,12 @@ struct KernelTable {
                                            HitPacket*);
     void (*occludedTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
                                           uint32_t* blocked);
+    /// The same for any number of packets whose rays have nothing in common; hundreds of rays at a
+    /// time are fastest.
+    void (*intersectStream[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
+                                             HitPacket*);
+    void (*occludedStream[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
+                                            uint32_t* blocked);
     /// Everything that the ray meets in its range, in no order, a triangle perhaps more than once.
     /// Where the list is too short, again with a longer one.
     void (*intersectAll1[kPrecisionCount])(const ModelView&, const Ray&, HitList&);

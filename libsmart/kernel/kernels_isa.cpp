@@ -7,6 +7,7 @@
 #include "libsmart/kernel/hit_rounding.h"
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/kernel/ray_preparation.h"
+#include "libsmart/kernel/ray_streams.h"
 #include "libsmart/kernel/scene_traversal.h"
 #include "libsmart/kernel/tile_scene.h"
 
@@ -40,20 +41,26 @@ struct RayArrays {
 template <template <int> class Precision>
 inline constexpr bool kIsPrecise = std::is_same_v<Precision<1>, Precise<1>>;
 
+/// Starts `query`, and `world` in the precise mode; returns the lanes that carry a legal ray.
+template <template <int> class Precision, int N, HitMode M, class Counter>
+uint32_t prepare(const ModelView& scene, const RayArrays& in, typename Precision<N>::Rays& rays,
+                 WorldRays<N>& world, Search<N, M, Counter>& query) {
+    query.lastOfEqual = scene.lastOfEqual != 0;
+    query.wideReady = scene.wideReady != 0;
+    if constexpr (kIsPrecise<Precision>)
+        return preparePreciseRays<N, M, Counter>(scene, in.org, in.dir, in.tNear, in.tFar,
+                                                 in.active, rays, world, query);
+    else
+        return prepareRays<N, M, Counter>(in.org, in.dir, in.tNear, in.tFar, in.active, rays,
+                                          world.scale, query);
+}
+
 /// Fills `query` with what the rays hit, and `world` in the precise mode.
 template <template <int> class Precision, int N, HitMode M, class Counter>
 void run(const ModelView& scene, const RayArrays& in, WorldRays<N>& world,
          Search<N, M, Counter>& query) {
     typename Precision<N>::Rays rays;
-    uint32_t legal;
-    query.lastOfEqual = scene.lastOfEqual != 0;
-    query.wideReady = scene.wideReady != 0;
-    if constexpr (kIsPrecise<Precision>)
-        legal = preparePreciseRays<N, M, Counter>(scene, in.org, in.dir, in.tNear, in.tFar,
-                                                  in.active, rays, world, query);
-    else
-        legal = prepareRays<N, M, Counter>(in.org, in.dir, in.tNear, in.tFar, in.active, rays,
-                                           world.scale, query);
+    const uint32_t legal = prepare<Precision>(scene, in, rays, world, query);
     if (legal) SceneTraversal<Precision, N, M, Counter>::model(scene, rays, legal, query);
 }
 
@@ -257,6 +264,57 @@ void occludedTile(const ModelView& scene, const RayPacket* packets, uint32_t cou
     }
 }
 
+/// Rays of a packet one by one.
+template <template <int> class Precision, HitMode M>
+void runApart(const ModelView& scene, const RayArrays& in, WorldRays<kPacketSize>& world,
+              Search<kPacketSize, M, NoCounts>& query) {
+    typename Precision<kPacketSize>::Rays rays;
+    const uint32_t legal = prepare<Precision>(scene, in, rays, world, query);
+    SceneTraversal<Precision, kPacketSize, M, NoCounts>::oneByOne(scene, rays, legal, query);
+}
+
+template <template <int> class Precision>
+void intersectStream(const ModelView& scene, const RayPacket* packets, uint32_t count,
+                     HitPacket* hits) {
+    if constexpr (!kIsPrecise<Precision>) {
+        if (isStreamable(scene)) {
+            runStream<Precision, HitMode::Closest>(scene, packets, count, hits, nullptr);
+            for (uint32_t p = 0; p < count; ++p) {
+                const RayArrays in(packets[p]);
+                refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, hits[p].triangle,
+                                        hits[p].levels, hits[p].path, hits[p].t, hits[p].u,
+                                        hits[p].v);
+            }
+            return;
+        }
+    }
+    for (uint32_t p = 0; p < count; ++p) {
+        const RayArrays in(packets[p]);
+        WorldRays<kPacketSize> world;
+        Search<kPacketSize, HitMode::Closest, NoCounts> query;
+        runApart<Precision>(scene, in, world, query);
+        place<Precision>(scene, in, world, query, hits[p].t, hits[p].u, hits[p].v);
+        store(query, hits[p]);
+    }
+}
+
+template <template <int> class Precision>
+void occludedStream(const ModelView& scene, const RayPacket* packets, uint32_t count,
+                    uint32_t* blocked) {
+    if constexpr (!kIsPrecise<Precision>) {
+        if (isStreamable(scene)) {
+            runStream<Precision, HitMode::Any>(scene, packets, count, nullptr, blocked);
+            return;
+        }
+    }
+    for (uint32_t p = 0; p < count; ++p) {
+        WorldRays<kPacketSize> world;
+        Search<kPacketSize, HitMode::Any, NoCounts> query;
+        runApart<Precision>(scene, RayArrays(packets[p]), world, query);
+        blocked[p] = query.blocked;
+    }
+}
+
 #define SMART_STRINGIZE_(x) #x
 #define SMART_STRINGIZE(x) SMART_STRINGIZE_(x)
 
@@ -270,6 +328,8 @@ const KernelTable kTable = {
     {occluded1<Fast>, occluded1<Watertight>, occluded1<Precise>},
     {intersectTile<Fast>, intersectTile<Watertight>, intersectTile<Precise>},
     {occludedTile<Fast>, occludedTile<Watertight>, occludedTile<Precise>},
+    {intersectStream<Fast>, intersectStream<Watertight>, intersectStream<Precise>},
+    {occludedStream<Fast>, occludedStream<Watertight>, occludedStream<Precise>},
     {intersectAll1<Fast>, intersectAll1<Watertight>, intersectAll1<Precise>},
     {intersectCounted<Fast>, intersectCounted<Watertight>, intersectCounted<Precise>},
 };

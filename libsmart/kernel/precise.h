@@ -27,6 +27,7 @@
 #pragma once
 
 #include "libsmart/kernel/arbitration.h"
+#include "libsmart/kernel/block_hits.h"
 #include "libsmart/kernel/precise_rays.h"
 #include "libsmart/kernel/shear.h"
 
@@ -60,19 +61,25 @@ public:
     }
 
     /// Of the triangles of a block, those that the one ray may hit within its limits.
-    HWY_INLINE uint32_t candidates(const TriangleBlock& block, const Real<1>& near,
-                                   const Real<1>& best) const
+    HWY_INLINE void meet(const TriangleBlock& block, const Real<1>& near, const Real<1>& best,
+                         BlockHits& hits) const
         requires(N == 1)
     {
         using R = Real<kPacketSize>;
+        hits.sure = hits.atStart = hits.unsure = 0;
         const Sheared<kPacketSize> s = shear_(block);
         Filter<kPacketSize> filter(s, R(slope_.v), R(floor_.v));
         const uint32_t open = block.all() & ~filter.missed.bits();
-        if (!open) return 0;
+        if (!open) return;
         filter.place(s, R(shear_.scale().v), R(depthScale_.v), R(distanceError_.v));
         const auto irrelevant =
             filter.inside & ((filter.high < R(near.v)) | (filter.low > R(best.v)));
-        return open & ~irrelevant.bits();
+        hits.unsure = open & ~irrelevant.bits();
+    }
+
+    static bool apart(float, const Real<1>&) { return false; }
+    static bool isBehind(const TriangleBlock&, uint32_t, const Real<1>&, const Real<1>&) {
+        return false;
     }
 
     /// Brings the query up to date with a triangle; `active` and `best` as in traversal. Any hit:

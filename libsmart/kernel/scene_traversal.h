@@ -108,6 +108,21 @@ public:
         }
     }
 
+    /// Rays of a packet that have too little in common.
+    [[gnu::noinline]] static void oneByOne(const ModelView& model, const Rays& rays,
+                                           uint32_t lanes, Query& query)
+        requires(N > 1)
+    {
+        using Alone = SceneTraversal<Precision, 1, M, Counter>;
+        for (lanes = live(query, lanes); lanes; lanes &= lanes - 1) {
+            const int lane = lowestBit(lanes);
+            typename Alone::Rays ray;
+            takeLane(rays, lane, ray);
+            LaneQuery<M, Counter> alone(query, lane);
+            Alone::model(model, ray, 1, alone.query);
+        }
+    }
+
     /// Brings the query up to date with one triangle. Any hit: takes lanes that met it out of
     /// `active`.
     static HWY_INLINE void test(const Precision<N>& precision, uint32_t triangle, Mask<N>& active,
@@ -129,6 +144,41 @@ public:
             test(precision, block.number(i), active, best, query);
         }
     }
+    /// The same for one ray and all triangles of a block.
+    static HWY_INLINE void testBlock(const Precision<N>& precision, const TriangleBlock& block,
+                                     Real<N>& best, Query& query)
+        requires(N == 1)
+    {
+        BlockHits hits;
+        precision.meet(block, Real<1>(query.tNear[0]), best, hits);
+        if (hits.any()) decide(precision, block, hits, best, query);
+    }
+    [[gnu::noinline]] static void decide(const Precision<N>& precision, const TriangleBlock& block,
+                                         const BlockHits& hits, Real<N>& best, Query& query)
+        requires(N == 1)
+    {
+        const Real<1> near(query.tNear[0]);
+        if (M == HitMode::Any && hits.sure) {
+            query.blocked = 1;
+            best = Real<1>(-__builtin_inff());
+            return;
+        }
+        Mask<1> active{true};
+        for (uint32_t rest = hits.any(); rest; rest &= rest - 1) {
+            const int i = lowestBit(rest);
+            const uint32_t bit = rest & (0u - rest);
+            if (hits.atStart & bit && precision.isBehind(block, uint32_t(i), near, best)) continue;
+            if (M == HitMode::Closest && (hits.sure & bit) && precision.apart(hits.t[i], best)) {
+                if (hits.t[i] > best.v) continue;
+                best = Real<1>(hits.t[i]);
+                query.keepTriangle(active, block.number(uint32_t(i)));
+                continue;
+            }
+            test(precision, block, uint32_t(i), active, best, query);
+            if (M == HitMode::Any && !active.m) return;
+        }
+    }
+
     /// meetable: a triangle, or its number.
     template <class Meetable>
     static HWY_INLINE void test(const Precision<N>& precision, const Meetable& meetable,
@@ -201,19 +251,14 @@ private:
         const Precision<N> precision(model, rays, group);
         Real<N> best = limits(query, group.lanes);
         if constexpr (N == 1) {
-            const Real<1> near(query.tNear[0]);
             const auto leaf = [&](uint32_t reference) HWY_ATTR {
                 const TriangleBlock block(model.wide.blocks, reference);
                 query.counter.triangle(block.count());
-                Mask<1> active{true};
-                for (uint32_t rest = precision.candidates(block, near, best); rest;
-                     rest &= rest - 1) {
-                    test(precision, block, uint32_t(lowestBit(rest)), active, best, query);
-                    if (M == HitMode::Any && !active.m) break;
-                }
+                testBlock(precision, block, best, query);
                 return horizon(best).v;
             };
-            traverseWide(model.wide.nodes, treeRays, near.v, horizon(best).v, query.counter, leaf);
+            traverseWide(model.wide.nodes, treeRays, query.tNear[0], horizon(best).v,
+                         query.counter, leaf);
         } else {
             const auto leaf = [&](uint32_t reference, Mask<N> active) HWY_ATTR {
                 const TriangleBlock block(model.wide.blocks, reference);
@@ -251,21 +296,6 @@ private:
             };
             traverseWide(tree.nodes, treeRays, Real<N>::load(query.tNear), far, query.counter,
                          visit);
-        }
-    }
-
-    /// Rays of a packet that have too little in common.
-    [[gnu::noinline]] static void oneByOne(const ModelView& model, const Rays& rays,
-                                           uint32_t lanes, Query& query)
-        requires(N > 1)
-    {
-        using Alone = SceneTraversal<Precision, 1, M, Counter>;
-        for (lanes = live(query, lanes); lanes; lanes &= lanes - 1) {
-            const int lane = lowestBit(lanes);
-            typename Alone::Rays ray;
-            takeLane(rays, lane, ray);
-            LaneQuery<M, Counter> alone(query, lane);
-            Alone::model(model, ray, 1, alone.query);
         }
     }
 

@@ -28,6 +28,11 @@ struct Sheared {
     }
 };
 
+/// A ray's direction over its dominant component, and 1 over that.
+struct RaySlopes {
+    float x, y, z;
+};
+
 template <int N>
 class Shear {
 public:
@@ -42,6 +47,19 @@ public:
         sx_ = Real<N>::load(rays.dir[kx_]) / Real<N>::load(rays.dir[kz_]);
         sy_ = Real<N>::load(rays.dir[ky_]) / Real<N>::load(rays.dir[kz_]);
     }
+
+    /// One ray, as the other constructor does.
+    Shear(const LocalRays<1>& ray, const RayGroup& group, const RaySlopes& slopes)
+        requires(N == 1)
+        : kx_((group.dominantAxis + 1) % 3),
+          ky_((group.dominantAxis + 2) % 3),
+          kz_(group.dominantAxis),
+          ox_(ray.org[kx_][0]),
+          oy_(ray.org[ky_][0]),
+          oz_(ray.org[kz_][0]),
+          sx_(slopes.x),
+          sy_(slopes.y),
+          sz_(slopes.z) {}
 
     HWY_INLINE Sheared<N> operator()(const Triangle& triangle) const {
         Sheared<N> r;

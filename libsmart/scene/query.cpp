@@ -12,6 +12,8 @@ namespace smart {
 namespace {
 
 constexpr std::size_t kLanes = kPacketSize, kTileLanes = kLanes * kTilePackets;
+/// Rays that have nothing in common take turns: the more of them, the less often few are left.
+constexpr std::size_t kStreamPackets = 64, kStreamLanes = kLanes * kStreamPackets;
 
 /// Reads single values of the application's rays.
 class RayReader {
@@ -33,7 +35,7 @@ public:
                 tNear(i),
                 tFar(i)};
     }
-    /// Rays first.. in as many packets as they need, kTilePackets at most; returns how many.
+    /// Rays first.. in as many packets as they need; returns how many.
     uint32_t fill(RayPacket* packets, std::size_t first, std::size_t count) const {
         uint32_t used = 0;
         for (std::size_t done = 0; done < count; done += kLanes, ++used) {
@@ -192,11 +194,25 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
     const RayReader reader(rays);
     const HitWriter writer(scene, reader, hits);
     if (coherence == Coherence::Incoherent) {
-        const auto intersect1 = kernels().intersect1[precision];
-        Hit hit;
-        for (std::size_t i = 0; i < count; ++i) {
-            intersect1(scene.view(), reader.ray(i), hit);
-            writer.write(i, hit);
+        scene.readyForTiles(count);
+        if (count < kLanes) {
+            const auto intersect1 = kernels().intersect1[precision];
+            Hit hit;
+            for (std::size_t i = 0; i < count; ++i) {
+                intersect1(scene.view(), reader.ray(i), hit);
+                writer.write(i, hit);
+            }
+            return;
+        }
+        const auto intersectStream = kernels().intersectStream[precision];
+        RayPacket stream[kStreamPackets];
+        HitPacket met[kStreamPackets];
+        for (std::size_t first = 0; first < count; first += kStreamLanes) {
+            const std::size_t lanes = std::min(kStreamLanes, count - first);
+            const uint32_t used = reader.fill(stream, first, lanes);
+            intersectStream(scene.view(), stream, used, met);
+            for (std::size_t done = 0; done < lanes; done += kLanes)
+                writer.write(first + done, std::min(kLanes, lanes - done), met[done / kLanes]);
         }
         return;
     }
@@ -226,9 +242,22 @@ void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, st
     const int precision = int(scene.precision());
     const RayReader reader(rays);
     if (coherence == Coherence::Incoherent) {
-        const auto occluded1 = kernels().occluded1[precision];
-        for (std::size_t i = 0; i < count; ++i) {
-            blocked[i] = occluded1(scene.view(), reader.ray(i));
+        scene.readyForTiles(count);
+        if (count < kLanes) {
+            const auto occluded1 = kernels().occluded1[precision];
+            for (std::size_t i = 0; i < count; ++i)
+                blocked[i] = occluded1(scene.view(), reader.ray(i));
+            return;
+        }
+        const auto occludedStream = kernels().occludedStream[precision];
+        RayPacket stream[kStreamPackets];
+        uint32_t met[kStreamPackets];
+        for (std::size_t first = 0; first < count; first += kStreamLanes) {
+            const std::size_t lanes = std::min(kStreamLanes, count - first);
+            const uint32_t used = reader.fill(stream, first, lanes);
+            occludedStream(scene.view(), stream, used, met);
+            for (std::size_t lane = 0; lane < lanes; ++lane)
+                blocked[first + lane] = (met[lane / kLanes] >> (lane % kLanes)) & 1;
         }
         return;
     }

@@ -112,7 +112,8 @@ struct PacketRays {
     std::size_t first;
 };
 template <typename Trace>
-void forTiles(std::span<const Ray> rays, Filling filling, const Trace& trace) {
+void forTiles(std::span<const Ray> rays, Filling filling, const Trace& trace,
+              std::size_t most = kTilePackets) {
     std::vector<RayPacket> packets;
     std::vector<PacketRays> where;
     forPackets(rays, filling,
@@ -120,11 +121,12 @@ void forTiles(std::span<const Ray> rays, Filling filling, const Trace& trace) {
                    packets.push_back(packet);
                    where.push_back({{lanes.begin(), lanes.end()}, first});
                });
-    for (std::size_t p = 0; p < packets.size(); p += kTilePackets) {
-        const auto count = std::min<std::size_t>(kTilePackets, packets.size() - p);
+    for (std::size_t p = 0; p < packets.size(); p += most) {
+        const auto count = std::min(most, packets.size() - p);
         trace(&packets[p], uint32_t(count), std::span<const PacketRays>(&where[p], count));
     }
 }
+constexpr std::size_t kNoLimit = std::size_t(-1) / 2;
 
 } // namespace
 
@@ -154,6 +156,39 @@ std::vector<uint8_t> blockedTiles(const KernelTable& kernels, Precision precisio
                      for (std::size_t i = 0; i < where[p].lanes.size(); ++i)
                          blocked[where[p].first + i] = masks[p] >> where[p].lanes[i] & 1;
              });
+    return blocked;
+}
+
+std::vector<Hit> traceStream(const KernelTable& kernels, Precision precision,
+                             const ModelView& scene, std::span<const Ray> rays, Filling filling) {
+    std::vector<Hit> hits(rays.size());
+    forTiles(
+        rays, filling,
+        [&](const RayPacket* packets, uint32_t count, std::span<const PacketRays> where) {
+            std::vector<HitPacket> result(count);
+            kernels.intersectStream[int(precision)](scene, packets, count, result.data());
+            for (uint32_t p = 0; p < count; ++p)
+                for (std::size_t i = 0; i < where[p].lanes.size(); ++i)
+                    hits[where[p].first + i] = laneOf(result[p], where[p].lanes[i]);
+        },
+        kNoLimit);
+    return hits;
+}
+
+std::vector<uint8_t> blockedStream(const KernelTable& kernels, Precision precision,
+                                   const ModelView& scene, std::span<const Ray> rays,
+                                   Filling filling) {
+    std::vector<uint8_t> blocked(rays.size());
+    forTiles(
+        rays, filling,
+        [&](const RayPacket* packets, uint32_t count, std::span<const PacketRays> where) {
+            std::vector<uint32_t> masks(count);
+            kernels.occludedStream[int(precision)](scene, packets, count, masks.data());
+            for (uint32_t p = 0; p < count; ++p)
+                for (std::size_t i = 0; i < where[p].lanes.size(); ++i)
+                    blocked[where[p].first + i] = masks[p] >> where[p].lanes[i] & 1;
+        },
+        kNoLimit);
     return blocked;
 }
 

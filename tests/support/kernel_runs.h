@@ -35,6 +35,13 @@ std::vector<uint8_t> blockedTiles(const KernelTable& kernels, Precision precisio
                                   const ModelView& scene, std::span<const Ray> rays,
                                   Filling filling);
 
+/// The same for streams of packets: all rays in one call.
+std::vector<Hit> traceStream(const KernelTable& kernels, Precision precision,
+                             const ModelView& scene, std::span<const Ray> rays, Filling filling);
+std::vector<uint8_t> blockedStream(const KernelTable& kernels, Precision precision,
+                                   const ModelView& scene, std::span<const Ray> rays,
+                                   Filling filling);
+
 /// Equal in every bit that is defined.
 bool sameHit(const Hit& a, const Hit& b);
 /// Number of hits that differ.

@@ -41,6 +41,22 @@ private:
     ModelView scene_;
 };
 
+/// Streams of incoherent rays against hits that are known.
+void expectStreams(const ModelView& view, std::span<const Ray> rays, Precision precision,
+                   std::span<const Hit> truth) {
+    for (const KernelTable* kernels : availableKernels())
+        for (const Filling filling : {Filling::Full, Filling::Sparse}) {
+            SCOPED_TRACE(kernels->name);
+            EXPECT_EQ(differences(traceStream(*kernels, precision, view, rays, filling), truth),
+                      0u);
+            const auto blocked = blockedStream(*kernels, precision, view, rays, filling);
+            std::size_t unlike = 0;
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                unlike += (blocked[i] != 0) != (truth[i].triangle != kNoHit);
+            EXPECT_EQ(unlike, 0u);
+        }
+}
+
 /// All tables and all ways to call them, wide trees beside kd-trees and alone. Returns how many
 /// rays hit.
 std::size_t expectSame(std::vector<Instance> instances, std::span<const Ray> rays,
@@ -53,8 +69,10 @@ std::size_t expectSame(std::vector<Instance> instances, std::span<const Ray> ray
         std::vector<Hit> truth = traceSingles(kernels(), precision, scene.view(), rays);
         const ModelView wide = scene.wideView();
         traceAllWays(wide, rays, precision, truth);
+        expectStreams(wide, rays, precision, truth);
         const WideOnly alone(wide);
         traceAllWays(alone.view(), rays, precision, truth);
+        expectStreams(alone.view(), rays, precision, truth);
         hits = 0;
         for (const Hit& hit : truth) hits += hit.triangle != kNoHit;
     }
@@ -152,6 +170,35 @@ TEST(WideRays, Limits) {
         }
     }
     EXPECT_GT(expectSame(mesh, rays, "limits"), 0u);
+}
+
+/// Rays as an application sends them: several from each place that others hit, all ways.
+TEST(WideRays, SecondaryRays) {
+    const glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), 0.7, glm::dvec3(0.36, 0.48, 0.8));
+    for (const auto& [name, mesh] : {std::pair{"bumpy sphere", bumpySphere(5000)},
+                                     std::pair{"room", closedRoom()},
+                                     std::pair{"soup", triangleSoup(1000, 0.2f, 21)}}) {
+        const TracedScene source(mesh);
+        Random random(22);
+        std::vector<Ray> rays;
+        for (const Ray& ray : randomRays(mesh, rayCount(300), 23)) {
+            Hit hit;
+            kernels().intersect1[int(Precision::Watertight)](source.view(), ray, hit);
+            for (int i = 0; i < 5; ++i) {
+                Ray next{};
+                const auto way = random.onSphere();
+                const float t = hit.triangle == kNoHit ? 0.5f : hit.t;
+                for (int k = 0; k < 3; ++k) {
+                    next.org[k] = ray.org[k] + t * ray.dir[k];
+                    next.dir[k] = float(way[std::size_t(k)]);
+                }
+                next.tFar = i < 4 ? float(random.between(0, 1)) : INFINITY;
+                rays.push_back(next);
+            }
+        }
+        expectSame(mesh, rays, name);
+        expectSame({place(makeModel(mesh), glm::dmat4x3(turned))}, rays, "turned");
+    }
 }
 
 TEST(WideRays, EqualDistances) {

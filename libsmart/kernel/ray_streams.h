@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Many packets of rays that have nothing in common. A scene that is one instance of a model without
+// children lets them take turns in the model's wide tree; elsewhere they go one by one.
+#pragma once
+
+#include "libsmart/kernel/ray_preparation.h"
+#include "libsmart/kernel/rays_in_flight.h"
+
+namespace smart::SMART_ISA {
+
+/// What a stream's rays find: triangles of the scene's only model, and whether any.
+template <HitMode M>
+class StreamHits {
+public:
+    static constexpr int N = kPacketSize;
+
+    StreamHits(const ModelView& scene, const RayPacket* packets, uint32_t count,
+               HitPacket* hits, uint32_t* blocked)
+        : scene_(scene), packets_(packets), count_(count), hits_(hits), blocked_(blocked) {}
+
+    bool next(FlightPacket& packet, uint32_t& name) {
+        if (next_ == count_) return false;
+        name = next_++;
+        const RayPacket& in = packets_[name];
+        const float* const org[3] = {in.org[0], in.org[1], in.org[2]};
+        const float* const dir[3] = {in.dir[0], in.dir[1], in.dir[2]};
+        double scale[N];
+        Search<N, M, NoCounts> query;
+        const InstanceView& instance = scene_.children[0];
+        if (instance.identity) {
+            packet.lanes = prepareRays<N>(org, dir, in.tNear, in.tFar, in.active, packet.rays,
+                                          scale, query);
+        } else {
+            LocalRays<N> world;
+            packet.lanes =
+                prepareRays<N>(org, dir, in.tNear, in.tFar, in.active, world, scale, query);
+            transformRays(instance, world, packet.rays);
+        }
+        __builtin_memcpy(packet.near, query.tNear, sizeof packet.near);
+        __builtin_memcpy(packet.far, query.best, sizeof packet.far);
+        if constexpr (M == HitMode::Any)
+            blocked_[name] = 0;
+        else
+            Word<N>(kNoHit).store(hits_[name].triangle);
+        return true;
+    }
+    void open(uint32_t, int, Search<1, M, NoCounts>& query) const {
+        query.triangle[0] = kNoHit;
+        query.levels[0] = 0;
+        query.blocked = 0;
+        query.deepest = 0;
+        query.lastOfEqual = scene_.lastOfEqual != 0;
+        query.currentLevels = 1;
+        query.currentPath[0] = 0;
+    }
+    void done(uint32_t name, int lane, const Search<1, M, NoCounts>& query) {
+        if constexpr (M == HitMode::Any) {
+            blocked_[name] |= query.blocked << lane;
+        } else {
+            hits_[name].triangle[lane] = query.triangle[0];
+            hits_[name].levels[lane] = 1;
+            hits_[name].path[0][lane] = 0;
+        }
+    }
+
+private:
+    const ModelView& scene_;
+    const RayPacket* packets_;
+    const uint32_t count_;
+    HitPacket* const hits_;
+    uint32_t* const blocked_;
+    uint32_t next_ = 0;
+};
+
+/// Whether rays can take turns in a scene: they meet one model only, which has a tree for it.
+inline bool isStreamable(const ModelView& scene) {
+    if (scene.childCount != 1) return false;
+    const ModelView* const model = scene.children[0].model;
+    return model && !model->childCount && (scene.wideReady || !model->tree.nodes) &&
+           model->wide.nodes;
+}
+
+/// Finds which triangles are hit, or fills `blocked`, in a scene that is streamable.
+template <template <int> class Precision, HitMode M>
+[[gnu::noinline]] void runStream(const ModelView& scene, const RayPacket* packets, uint32_t count,
+                                 HitPacket* hits, uint32_t* blocked) {
+    StreamHits<M> source(scene, packets, count, hits, blocked);
+    RaysInFlight<Precision, M, StreamHits<M>> flights(*scene.children[0].model, source);
+    flights.run();
+}
+
+} // namespace smart::SMART_ISA
