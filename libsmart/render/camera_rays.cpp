@@ -9,8 +9,6 @@
 namespace smart {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -29,21 +27,31 @@ bool store(Ray& ray, const glm::dvec3& origin, const glm::dvec3& direction, doub
 
 } // namespace
 
-CameraRays::CameraRays(const Frame& frame)
-    : frame_(frame), sampleSide_(1.0 / std::sqrt(double(std::max(frame.samples, 1u)))) {
+CameraRays::CameraRays(const Frame& frame) : frame_(frame), lens_{} {
     // Depth moves a point along column 2 of the inverse. The matrix has an eye, where all rays
     // meet, if that changes w too, by more than rounding left in it.
     const glm::dmat4& inverse = frame.matrixCamera.inverse;
     const double w = inverse[2].w;
     const double scale =
         std::max({std::abs(inverse[0].w), std::abs(inverse[1].w), std::abs(inverse[3].w)});
-    eye_ = glm::dvec3(inverse[2]) / w + 0.0; // + 0: no negative zero
-    hasEye_ = std::abs(w) > 0x1p-45 * scale && isFinite(glm::dvec3(glm::vec3(eye_)));
-    glm::dvec3 turn[2]; // change of motion (see matrixCone) for a pixel to the right, and up
+    const glm::dvec3 eye = glm::dvec3(inverse[2]) / w + 0.0; // + 0: no negative zero
+    glm::dvec3 turn[2]; // change of motion (see rayThrough) for a pixel to the right, and up
     for (int k = 0; k < 2; ++k)
         turn[k] = 2.0 / (k == 0 ? frame.viewport.width : frame.viewport.height) *
                   (inverse[k].w * glm::dvec3(inverse[2]) - w * glm::dvec3(inverse[k]));
-    turning_ = glm::cross(turn[0], turn[1]);
+    const glm::dvec3 turning = glm::cross(turn[0], turn[1]);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) lens_.inverse[column][row] = inverse[column][row];
+    for (int k = 0; k < 3; ++k) {
+        lens_.eye[k] = eye[k];
+        lens_.turning[k] = turning[k];
+    }
+    lens_.left = frame.viewport.x;
+    lens_.bottom = frame.viewport.y;
+    lens_.width = frame.viewport.width;
+    lens_.height = frame.viewport.height;
+    lens_.sampleSide = 1.0 / std::sqrt(double(std::max(frame.samples, 1u)));
+    lens_.hasEye = std::abs(w) > 0x1p-45 * scale && isFinite(glm::dvec3(glm::vec3(eye)));
 }
 
 bool CameraRays::covers(uint32_t x, uint32_t y) const {
@@ -51,33 +59,26 @@ bool CameraRays::covers(uint32_t x, uint32_t y) const {
 }
 
 bool CameraRays::make(double x, double y, Ray& ray, const CameraSample& sample) const {
-    const Viewport& viewport = frame_.viewport;
-    x = (x - viewport.x) / viewport.width;
-    y = (y - viewport.y) / viewport.height;
-    return frame_.camera ? fromShader(x, y, ray, sample.state) : fromMatrix(x, y, ray);
+    if (frame_.camera)
+        return fromShader((x - lens_.left) / lens_.width, (y - lens_.bottom) / lens_.height, ray,
+                          sample.state);
+    const LensRay made = fromMatrix(x, y);
+    for (int k = 0; k < 3; ++k) {
+        ray.org[k] = made.org[k];
+        ray.dir[k] = made.dir[k];
+    }
+    ray.tNear = made.tNear;
+    ray.tFar = made.tFar;
+    return made.made;
 }
 
-bool CameraRays::fromMatrix(double x, double y, Ray& ray) const {
-    // Homogeneous points of this pixel: near + s * step with s from 0 (near plane) to 2 (far).
-    const glm::dmat4& inverse = frame_.matrixCamera.inverse;
-    const glm::dvec4& step = inverse[2];
-    const glm::dvec4 near =
-        inverse[3] - step + (2.0 * x - 1.0) * inverse[0] + (2.0 * y - 1.0) * inverse[1];
-    const double farW = near.w + 2.0 * step.w;
-    // Which way the point moves as s grows: the derivative of xyz / w, times a positive number.
-    const glm::dvec3 motion = near.w * glm::dvec3(step) - step.w * glm::dvec3(near);
-    const double length = glm::length(motion);
-    const glm::dvec3 direction = motion / length;
-    // A far plane at infinity, or beyond it, is no limit.
-    const bool endless = !(farW * near.w > 0.0);
-    if (hasEye_) {
-        const double nearDistance = -length / (step.w * near.w);
-        const double farDistance = endless ? kInfinity : -length / (step.w * farW);
-        return store(ray, eye_, direction, std::max(nearDistance, 0.0), farDistance);
-    }
-    const glm::dvec3 origin = glm::dvec3(near) / near.w;
-    const double range = 2.0 * length / std::abs(near.w * farW);
-    return store(ray, origin, direction, 0.0, endless ? kInfinity : range);
+uint32_t CameraRays::makePacket(const PacketMath& math, const double (&x)[kPacketSize],
+                                const double (&y)[kPacketSize], RayGroup& rays) const {
+    return math.cameraRays(lens_, x, y, rays.rays, rays.coneWidth, rays.coneSpread);
+}
+
+LensRay CameraRays::fromMatrix(double x, double y) const {
+    return lens_.hasEye ? rayThrough<true>(lens_, x, y) : rayThrough<false>(lens_, x, y);
 }
 
 bool CameraRays::fromShader(double x, double y, Ray& ray, RTSstate* state) const {
@@ -94,31 +95,9 @@ bool CameraRays::fromShader(double x, double y, Ray& ray, RTSstate* state) const
 }
 
 RayCone CameraRays::cone(double x, double y, const Ray& ray, const CameraSample& sample) const {
-    return frame_.camera ? shaderCone(x, y, ray, sample) : matrixCone(x, y);
-}
-
-// The derivatives of fromMatrix: a pixel's step to the side turns the ray by (w of the step) *
-// motion's change / length, of which what points along the ray drops out.
-RayCone CameraRays::matrixCone(double x, double y) const {
-    const Viewport& viewport = frame_.viewport;
-    x = (x - viewport.x) / viewport.width;
-    y = (y - viewport.y) / viewport.height;
-    const glm::dmat4& inverse = frame_.matrixCamera.inverse;
-    const glm::dvec4& step = inverse[2];
-    const glm::dvec4 near =
-        inverse[3] - step + (2.0 * x - 1.0) * inverse[0] + (2.0 * y - 1.0) * inverse[1];
-    const glm::dvec3 motion = near.w * glm::dvec3(step) - step.w * glm::dvec3(near);
-    const double squared = glm::dot(motion, motion), length = std::sqrt(squared);
-    const float spread =
-        coneSide(std::fabs(glm::dot(turning_, motion)) / (squared * length), sampleSide_);
-    if (hasEye_) return {0.0f, spread};
-    glm::dvec3 origin[2];
-    for (int k = 0; k < 2; ++k)
-        origin[k] =
-            (glm::dvec3(inverse[k]) - inverse[k].w / near.w * glm::dvec3(near)) / near.w;
-    const double area = std::fabs(glm::dot(glm::cross(origin[0], origin[1]), motion)) / length *
-                        (2.0 / viewport.width) * (2.0 / viewport.height);
-    return {coneSide(area, sampleSide_), spread};
+    if (frame_.camera) return shaderCone(x, y, ray, sample);
+    const LensRay made = fromMatrix(x, y);
+    return {made.coneWidth, made.coneSpread};
 }
 
 RayCone CameraRays::shaderCone(double x, double y, const Ray& ray,
@@ -143,7 +122,7 @@ RayCone CameraRays::shaderCone(double x, double y, const Ray& ray,
         origin[k] = glm::dvec3(next.org[0], next.org[1], next.org[2]) - from;
         direction[k] = glm::dvec3(next.dir[0], next.dir[1], next.dir[2]) - along;
     }
-    return coneBetween(along, origin, direction, sampleSide_);
+    return coneBetween(along, origin, direction, lens_.sampleSide);
 }
 
 float CameraRays::depth(const Ray& ray, float t) const {

@@ -12,7 +12,7 @@ uint32_t RayServices::fixedLanes(const ShaderObject* surface, const RayGroup& ra
     if (!surface || surface != frame_.shaders->front().get()) return 0;
     uint32_t fixed = 0;
     forEach(lanes, [&](int i) {
-        if (stateOf(rays.hit[i])) fixed |= 1u << i;
+        if (stateOf(rays.hits.path[0][i])) fixed |= 1u << i;
     });
     return fixed;
 }
@@ -21,9 +21,9 @@ void RayServices::shadeFixed(const RayGroup& rays, uint32_t lanes,
                              glm::vec4 (&colors)[kPacketSize], ShadedSample* found) {
     PointState point;
     std::optional<SurfaceTriangle> triangle; // of the lane before: neighbours often share it
-    const Hit* last = nullptr;
+    std::optional<Hit> last;
     forEach(lanes, [&](int i) {
-        const Hit& hit = rays.hit[i];
+        const Hit hit = rays.hit(i);
         const bool sameWay = last && last->levels == hit.levels &&
                              std::equal(hit.path, hit.path + hit.levels, last->path);
         if (!sameWay)
@@ -31,8 +31,8 @@ void RayServices::shadeFixed(const RayGroup& rays, uint32_t lanes,
         else
             point.chain.triangle = hit.triangle;
         if (!sameWay || hit.triangle != last->triangle) triangle.emplace(point.chain);
-        last = &hit;
-        placeAt(rays.ray[i], hit, rays.path(i), *triangle, point);
+        last = hit;
+        placeAt(rays.ray(i), hit, rays.path(i), *triangle, point);
         if (found) found[i].describe(hit, point.state);
         colors[i] = fixed_.shade(point);
     });

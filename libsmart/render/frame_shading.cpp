@@ -58,6 +58,13 @@ uint32_t samplesOf(const ShaderObject& light) {
     return std::clamp<uint32_t>(functions.lightSamples(light.block()), 1, kMaxLightSamples);
 }
 
+const builtin::PointLight* pointLightOf(const ShaderObject& light) {
+    using Functions = openrt::detail::Functions<builtin::PointLight>;
+    return light.functions().illuminate == Functions::illuminate
+               ? static_cast<const builtin::PointLight*>(light.block())
+               : nullptr;
+}
+
 } // namespace
 
 std::vector<uint32_t> usedShaders(const Scene& scene) {
@@ -95,7 +102,9 @@ FrameShading findFrameShading(const Scene& scene, const ShaderTable& shaders,
     shading.transparent |= shading.blended;
     for (const auto& light : lights) {
         const uint32_t samples = samplesOf(*light);
-        for (uint32_t i = 0; i < samples; ++i) shading.lights.push_back({light.get(), i, samples});
+        const builtin::PointLight* const point = pointLightOf(*light);
+        for (uint32_t i = 0; i < samples; ++i)
+            shading.lights.push_back({light.get(), i, samples, point});
     }
     return shading;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libsmart/scene/scene.h"
+#include "libsmart/shading/builtin/lights.h"
 #include "libsmart/shading/shader_object.h"
 
 namespace smart {
@@ -14,6 +15,8 @@ namespace smart {
 struct LightPart {
     const ShaderObject* light;
     uint32_t sample, samples;
+    /// Of a built-in point light, nullptr otherwise.
+    const builtin::PointLight* point;
 };
 
 /// A light that asks to be split into more samples than this is split into so many.

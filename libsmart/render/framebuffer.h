@@ -21,6 +21,10 @@ struct AuxBuffers {
     uint32_t* objectId = nullptr;
     uint32_t* instanceId = nullptr;
     uint32_t* primitiveId = nullptr; ///< a miss of the three is 0xFFFFFFFF
+
+    bool any() const {
+        return depth || distance || normal || objectId || instanceId || primitiveId;
+    }
 };
 
 /// Memory of the caller that a frame is written to, tile by tile.
@@ -40,7 +44,8 @@ struct Tile {
     uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-/// What a tracer computes for a tile. Pixel (i, j) of the tile is entry j * kTileSize + i.
+/// What a tracer computes for a tile. Pixel (i, j) of the tile is entry j * kTileSize + i. Only the
+/// colours are sure to be set where the target has no AuxBuffers.
 struct TilePixels {
     static constexpr uint32_t kCount = kTileSize * kTileSize;
     glm::vec4 color[kCount];

@@ -119,22 +119,22 @@ void LayerPass::clear(uint32_t packet, uint32_t lanes) {
 
 uint32_t LayerPass::makeRays(uint32_t packet, uint32_t lanes) {
     RayGroup& rays = pass_->rays;
-    uint32_t active = 0;
+    double atX[kPacketSize] = {}, atY[kPacketSize] = {};
     forEach(lanes, [&](int lane) {
         const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
         const uint32_t x = tile_.x + entry % kTileSize, y = tile_.y + entry / kTileSize;
-        PixelSample& drawn = pass_->samples[lane];
-        drawn = PixelSample(x, y, sample_, layer_.seed);
+        pass_->samples[lane] = PixelSample(x, y, sample_, layer_.seed);
         const glm::vec2 in = samplePosition(x, y, layer_.seed, sample_, samples_);
-        at_[lane] = {double(x) + in.x, double(y) + in.y};
-        if (!services_.makeCameraRay(camera_, at_[lane].x, at_[lane].y, drawn, rays.ray[lane],
-                                     rays.cone[lane])) {
-            memory_.bad[entry] = true;
-            return;
-        }
+        atX[lane] = double(x) + in.x;
+        atY[lane] = double(y) + in.y;
+        at_[lane] = {atX[lane], atY[lane]};
         rays.weight[lane] = 1.0f;
-        rays.sample[lane] = &drawn;
-        active |= 1u << lane;
+        rays.sample[lane] = &pass_->samples[lane];
+    });
+    const uint32_t active =
+        lanes == 0 ? 0 : services_.makeCameraRays(camera_, atX, atY, lanes, rays);
+    forEach(lanes & ~active, [&](int lane) {
+        memory_.bad[tile_order::entryOf(packet * kLanes + uint32_t(lane))] = true;
     });
     pixels_.primaryRays += uint64_t(std::popcount(active));
     return active;
@@ -214,14 +214,14 @@ void LayerPass::gather(uint32_t packet, uint32_t open, uint32_t active) {
         const std::size_t first = pass.hits.size();
         bool collect = (all >> lane & 1u) != 0;
         if (nearest >> lane & 1u) {
-            const Hit& hit = pass.rays.hit[lane];
+            const Hit hit = pass.rays.hit(int(lane));
             if (hit.triangle != kNoHit) {
                 keepHits(lane, {&hit, 1});
                 collect = !pass.hits.back().counts; // the ray goes on
                 if (collect) pass.hits.pop_back();
             }
         }
-        if (collect) keepHits(lane, services_.findAllHits(pass.rays.ray[lane], pass.met));
+        if (collect) keepHits(lane, services_.findAllHits(pass.rays.ray(int(lane)), pass.met));
         lanes_[lane].first = uint32_t(pass.fragments.size());
         if (open >> lane & 1u)
             addFragments(lane, first, tile_order::entryOf(packet * kLanes + lane));
@@ -249,7 +249,7 @@ void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met) {
 bool LayerPass::isDrawn(const LayerHit& kept) const {
     if (!kept.state) return true;
     const FixedRaster& raster = kept.state->raster;
-    const Ray& ray = pass_->rays.ray[kept.lane];
+    const Ray ray = pass_->rays.ray(int(kept.lane));
     const bool front =
         raster_.isCounterclockwise(kept.triangle, ray) != raster.frontFaceClockwise;
     if (raster.cull && (raster.cullFace == FixedFace::FrontAndBack ||
@@ -320,7 +320,7 @@ void LayerPass::addFragments(uint32_t lane, std::size_t firstHit, uint32_t entry
         fragment.state = kept.state;
         fragment.source = uint32_t(i);
         const PolygonRaster::Depth depth = raster_.depthAt(
-            kept.triangle, at_[lane], camera_.depth(pass.rays.ray[lane], kept.hit.t));
+            kept.triangle, at_[lane], camera_.depth(pass.rays.ray(int(lane)), kept.hit.t));
         double window = depth.window;
         if (kept.state && kept.state->raster.offsetFill)
             window += double(kept.state->raster.offsetFactor) * depth.slope +
@@ -372,12 +372,12 @@ void LayerPass::shadeGroup(const ShaderObject* surface, std::span<const WantedCo
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const LayerHit& kept = pass.hits[pass.fragments[wanted[i].fragment].source];
         group.copyLane(int(i), pass.rays, int(kept.lane));
-        group.hit[i] = kept.hit;
+        group.setHit(int(i), kept.hit);
     }
     const auto lanes = uint32_t((uint64_t(1) << wanted.size()) - 1);
     glm::vec4 colors[kPacketSize];
     ShadedSample found[kPacketSize];
-    services_.shadeGroup(surface, group, lanes, colors, sample_ == 0 ? found : nullptr);
+    services_.shadeGroup(surface, {&group, lanes, colors, sample_ == 0 ? found : nullptr});
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         Fragment& fragment = pass.fragments[wanted[i].fragment];
         LayerHit& kept = pass.hits[fragment.source];

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
-#include <optional>
+#include <vector>
 
 #include "libsmart/render/ray_offset.h"
 #include "libsmart/render/ray_services.h"
+#include "libsmart/shading/corner_attributes.h"
 
 namespace smart {
 namespace {
@@ -37,35 +38,58 @@ void setBit(RTuint& mask, int lane, bool value) {
     mask = (mask & ~(1u << lane)) | (RTuint(value) << lane);
 }
 
-void fillPacket(const RayGroup& rays, uint32_t lanes, RayPacket& packet) {
-    forEach(lanes, [&](int i) {
-        const Ray& ray = rays.ray[i];
-        for (int k = 0; k < 3; ++k) {
-            packet.org[k][i] = ray.org[k];
-            packet.dir[k][i] = ray.dir[k];
-        }
-        packet.tNear[i] = ray.tNear;
-        packet.tFar[i] = ray.tFar;
-    });
-    packet.active = lanes;
+void copyLane(const RTSvectors& from, int lane, RTSvectors& to) {
+    to.x.lane[lane] = from.x.lane[lane];
+    to.y.lane[lane] = from.y.lane[lane];
+    to.z.lane[lane] = from.z.lane[lane];
+}
+template <int N>
+void copyLane(const RTSfloats (&from)[N], int lane, RTSfloats (&to)[N]) {
+    for (int k = 0; k < N; ++k) to[k].lane[lane] = from[k].lane[lane];
 }
 
-void takeHits(const HitPacket& found, uint32_t lanes, RayGroup& rays) {
-    forEach(lanes, [&](int i) {
-        Hit& hit = rays.hit[i];
-        hit.triangle = found.triangle[i];
-        if (hit.triangle == kNoHit) return;
-        hit.t = found.t[i];
-        hit.u = found.u[i];
-        hit.v = found.v[i];
-        hit.levels = found.levels[i];
-        for (uint32_t level = 0; level < hit.levels; ++level)
-            hit.path[level] = found.path[level][i];
-    });
+/// What PacketMath::surfacePoints fills.
+void copySurfacePoint(const RTSpacket& from, int lane, RTSpacket& to) {
+    copyLane(from.rayOrigin, lane, to.rayOrigin);
+    copyLane(from.rayDirection, lane, to.rayDirection);
+    to.rayDistance.lane[lane] = from.rayDistance.lane[lane];
+    copyLane(from.position, lane, to.position);
+    copyLane(from.geometricNormal, lane, to.geometricNormal);
+    copyLane(from.shadingNormal, lane, to.shadingNormal);
+    copyLane(from.rawNormal, lane, to.rawNormal);
+    copyLane(from.barycentric, lane, to.barycentric);
+    copyLane(from.texCoord, lane, to.texCoord);
+    copyLane(from.color, lane, to.color);
+    setBit(to.frontFace, lane, (from.frontFace >> lane & 1u) != 0);
+    to.object.lane[lane] = from.object.lane[lane];
+    to.instance.lane[lane] = from.instance.lane[lane];
+    to.primitive.lane[lane] = from.primitive.lane[lane];
+    to.texCoordDensity.lane[lane] = from.texCoordDensity.lane[lane];
 }
 
-bool samePath(const Hit& a, const Hit& b) {
-    return a.levels == b.levels && std::equal(a.path, a.path + a.levels, b.path);
+template <class Value>
+VertexValues vertexValues(const std::vector<Value>& values, uint32_t first,
+                          const glm::vec4& inherited) {
+    const bool stored = !values.empty() && first != ShadingData::kNone;
+    return {stored ? &values.front()[0] : nullptr, first, &inherited[0]};
+}
+
+SurfaceView surfaceView(const HitChain& chain, uint32_t instance) {
+    const ShadingData& shading = chain.model->shading;
+    const CornerAttributes attributes(chain);
+    const glm::vec4& texCoord = attributes.inheritedValue(&InheritedAttributes::ownTexCoord,
+                                                          &InheritedAttributes::texCoord);
+    const glm::vec4& color = attributes.inheritedValue(&InheritedAttributes::ownColor,
+                                                       &InheritedAttributes::color);
+    return {chain.model->triangles.data(),
+            &chain.toWorld[0][0],
+            chain.levels == 1,
+            shading.corners.empty() ? nullptr : shading.corners.front().data(),
+            vertexValues(shading.normals, shading.firstNormal, color),
+            vertexValues(shading.texCoords, shading.firstTexCoord, texCoord),
+            vertexValues(shading.colors, shading.firstColor, color),
+            chain.instances[chain.levels - 1]->objectId,
+            instance};
 }
 
 } // namespace
@@ -73,14 +97,11 @@ bool samePath(const Hit& a, const Hit& b) {
 void RayServices::findHits(RayGroup& rays, uint32_t lanes) const {
     if (std::has_single_bit(lanes)) {
         const int i = std::countr_zero(lanes);
-        rays.hit[i] = findHit(rays.ray[i]);
+        rays.setHit(i, findHit(rays.ray(i)));
         return;
     }
-    RayPacket packet{};
-    fillPacket(rays, lanes, packet);
-    HitPacket found;
-    kernels_.intersect[precision_](frame_.scene->view(), packet, found);
-    takeHits(found, lanes, rays);
+    rays.rays.active = lanes;
+    kernels_.intersect[precision_](frame_.scene->view(), rays.rays, rays.hits);
 }
 
 void RayServices::findTileHits(RayGroup* groups, const uint32_t* lanes) const {
@@ -89,39 +110,80 @@ void RayServices::findTileHits(RayGroup* groups, const uint32_t* lanes) const {
             if (lanes[p]) findHits(groups[p], lanes[p]);
         return;
     }
-    RayPacket packets[kTilePackets] = {};
-    for (uint32_t p = 0; p < kTilePackets; ++p) fillPacket(groups[p], lanes[p], packets[p]);
+    RayPacket packets[kTilePackets];
     HitPacket found[kTilePackets];
+    for (uint32_t p = 0; p < kTilePackets; ++p) {
+        groups[p].rays.active = lanes[p];
+        packets[p] = groups[p].rays;
+    }
     kernels_.intersectTile[precision_](frame_.scene->view(), packets, kTilePackets, found);
-    for (uint32_t p = 0; p < kTilePackets; ++p) takeHits(found[p], lanes[p], groups[p]);
+    for (uint32_t p = 0; p < kTilePackets; ++p)
+        if (lanes[p]) groups[p].takeHits(found[p]);
 }
 
-uint32_t RayServices::findOccluded(const RayGroup& rays, uint32_t lanes) const {
-    if (std::has_single_bit(lanes))
-        return isOccluded(rays.ray[std::countr_zero(lanes)]) ? lanes : 0;
-    RayPacket packet{};
-    fillPacket(rays, lanes, packet);
+uint32_t RayServices::findOccluded(const RayPacket& rays) const {
+    if (rays.active == 0) return 0;
+    if (std::has_single_bit(rays.active)) {
+        const int i = std::countr_zero(rays.active);
+        const Ray ray{{rays.org[0][i], rays.org[1][i], rays.org[2][i]},
+                      {rays.dir[0][i], rays.dir[1][i], rays.dir[2][i]},
+                      rays.tNear[i],
+                      rays.tFar[i]};
+        return isOccluded(ray) ? rays.active : 0;
+    }
     uint32_t blocked = 0;
     if (frame_.scene->readyForTiles(0)) // for rays to a point light
-        kernels_.occludedTile[precision_](frame_.scene->view(), &packet, 1, &blocked);
+        kernels_.occludedTile[precision_](frame_.scene->view(), &rays, 1, &blocked);
     else
-        kernels_.occluded[precision_](frame_.scene->view(), packet, blocked);
-    return blocked & lanes;
+        kernels_.occluded[precision_](frame_.scene->view(), rays, blocked);
+    return blocked & rays.active;
 }
 
-const ShaderObject* RayServices::findSurface(const Hit& hit) {
+void RayServices::findOccluded(const RayPacket* rays, uint32_t count, uint32_t* blocked) const {
+    if (count > 1 && frame_.scene->readyForTiles(0))
+        return kernels_.occludedTile[precision_](frame_.scene->view(), rays, count, blocked);
+    for (uint32_t p = 0; p < count; ++p) blocked[p] = findOccluded(rays[p]);
+}
+
+const HitChain& RayServices::chainTo(const Hit& hit) {
     if (recent_.levels != hit.levels ||
         !std::equal(hit.path, hit.path + hit.levels, recentPath_)) {
         recent_ = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
         std::copy_n(hit.path, hit.levels, recentPath_);
     }
     recent_.triangle = hit.triangle;
-    return findSurface(recent_);
+    return recent_;
 }
 
-PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes) {
-    PointPacket& packet = pool_->at(rays.depth);
+const ShaderObject* RayServices::findSurface(const Hit& hit) { return findSurface(chainTo(hit)); }
+
+void RayServices::findSurfaces(const RayGroup& rays, uint32_t lanes,
+                               const ShaderObject* (&surfaces)[kPacketSize]) {
+    while (lanes != 0) {
+        const uint32_t same = rays.sameWay(lanes);
+        HitChain chain = chainTo(rays.hit(std::countr_zero(same)));
+        const ShaderObject* surface = findSurface(chain);
+        const std::vector<uint32_t>& slots = chain.model->shading.slots;
+        uint32_t slot = slots.empty() ? 0 : slots[chain.triangle];
+        forEach(same, [&](int i) {
+            const uint32_t triangle = rays.hits.triangle[i];
+            if (!slots.empty() && slots[triangle] != slot) {
+                slot = slots[triangle];
+                chain.triangle = triangle;
+                surface = findSurface(chain);
+            }
+            surfaces[i] = surface;
+        });
+        lanes &= ~same;
+    }
+}
+
+PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t number) {
+    PointPacket& packet = pool_->at(rays.depth, number);
     packet.services = this;
+    packet.surface = nullptr;
+    packet.errorsMissing = 0;
+    packet.lightsAhead = 0;
     RTSpacket& points = packet.points;
     points.structSize = sizeof(RTSpacket);
     points.active = lanes;
@@ -132,44 +194,28 @@ PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes) {
     for (RTSfloats& channel : points.result) channel = {};
     std::fill_n(points.result[3].lane, kPacketSize, 1.0f);
     points.resultSet = 0;
+    std::copy_n(rays.weight, kPacketSize, points.weight.lane);
+    std::fill_n(points.triangleParam, kPacketSize, nullptr);
+    std::fill_n(points.vertexParam, kPacketSize, nullptr);
     forEach(lanes, [&](int i) {
         PixelSample& sample = *rays.sample[i];
         packet.sample[i] = &sample;
-        points.weight.lane[i] = rays.weight[i];
         points.pixel[0].lane[i] = sample.x;
         points.pixel[1].lane[i] = sample.y;
         points.sample.lane[i] = sample.number;
-        points.triangleParam[i] = points.vertexParam[i] = nullptr;
     });
     return packet;
 }
 
-PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
-                                       const ShaderObject& surface) {
-    PointPacket& packet = beginPacket(rays, lanes);
-    packet.atSurface = true;
+void RayServices::fillLanes(const RayGroup& rays, uint32_t lanes, PointPacket& packet) const {
     RTSpacket& points = packet.points;
-    const bool hasBlocks = surface.functions().triangleSize || surface.functions().vertexSize;
     RTSstate state;
-    std::optional<SurfaceTriangle> triangle; // of the lane before: neighbours often share it
-    const Hit* last = nullptr;
     forEach(lanes, [&](int i) {
-        const Hit& hit = rays.hit[i];
-        HitChain& chain = packet.chain[i];
-        const bool sameWay = last && samePath(hit, *last);
-        if (sameWay) {
-            chain = triangle->chain();
-            chain.triangle = hit.triangle;
-        } else {
-            chain = resolve(*frame_.scene, hit.path, hit.levels, hit.triangle);
-        }
-        if (!sameWay || hit.triangle != last->triangle) triangle.emplace(chain);
-        last = &hit;
-        packet.cone[i] = rays.cone[i].after(hit.t);
-        packet.u[i] = hit.u;
-        packet.v[i] = hit.v;
+        const Hit hit = rays.hit(i);
+        HitChain chain = packet.ways[packet.wayOf[i]];
+        chain.triangle = hit.triangle;
         packet.error[i] = -1.0f;
-        fillSurfacePoint(*triangle, hit.path[0], rays.ray[i], hit.t, hit.u, hit.v, state);
+        fillSurfacePoint(chain, hit.path[0], rays.ray(i), hit.t, hit.u, hit.v, state);
         setLane(points.rayOrigin, i, state.rayOrigin);
         setLane(points.rayDirection, i, state.rayDirection);
         points.rayDistance.lane[i] = state.rayDistance;
@@ -184,27 +230,74 @@ PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
         points.object.lane[i] = state.object;
         points.instance.lane[i] = state.instance;
         points.primitive.lane[i] = state.primitive;
-        points.footprint.lane[i] = packet.cone[i].width;
         points.texCoordDensity.lane[i] = state.texCoordDensity;
-        if (hasBlocks) {
-            fillParameterBlocks(chain, *frame_.shaders, surface, packet.scratch[i], state);
+    });
+    packet.errorsMissing |= lanes;
+}
+
+PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
+                                       const ShaderObject& surface, uint32_t number) {
+    constexpr int kLeastTogether = 3; // fewer are filled one by one
+    PointPacket& packet = beginPacket(rays, lanes, number);
+    packet.surface = &surface;
+    RTSpacket& points = packet.points;
+    std::copy_n(rays.hits.u, kPacketSize, packet.u);
+    std::copy_n(rays.hits.v, kPacketSize, packet.v);
+    for (int i = 0; i < kPacketSize; ++i) {
+        packet.coneSpread[i] = rays.coneSpread[i];
+        packet.coneWidth[i] = rays.coneWidth[i] + rays.coneSpread[i] * rays.hits.t[i];
+        points.footprint.lane[i] = packet.coneWidth[i];
+    }
+    uint32_t single = 0;
+    uint8_t ways = 0;
+    for (uint32_t rest = lanes; rest != 0; ++ways) {
+        const uint32_t same = rays.sameWay(rest);
+        const Hit first = rays.hit(std::countr_zero(same));
+        const HitChain& way = packet.ways[ways] = chainTo(first);
+        forEach(same, [&](int i) { packet.wayOf[i] = ways; });
+        const SurfaceView view = surfaceView(way, first.path[0]);
+        if (!view.oneLevel) packet.errorsMissing |= same;
+        if (same == lanes) {
+            single = math_.surfacePoints(view, rays.rays, rays.hits, same, points, packet.error);
+        } else if (std::popcount(same) < kLeastTogether) {
+            single |= same;
+        } else {
+            RTSpacket part;
+            float error[kPacketSize];
+            single |= math_.surfacePoints(view, rays.rays, rays.hits, same, part, error);
+            forEach(same, [&](int i) {
+                copySurfacePoint(part, i, points);
+                packet.error[i] = error[i];
+            });
+        }
+        rest &= ~same;
+    }
+    if (single != 0) fillLanes(rays, single, packet);
+    if (surface.functions().triangleSize || surface.functions().vertexSize) {
+        RTSstate state;
+        forEach(lanes, [&](int i) {
+            getLane(points.barycentric, i, state.barycentric);
+            fillParameterBlocks(packet.chain(i), *frame_.shaders, surface, packet.scratch[i],
+                                state);
             points.triangleParam[i] = state.triangleParam;
             points.vertexParam[i] = state.vertexParam;
-        }
-    });
+        });
+    }
     return packet;
 }
 
 void RayServices::shadeMisses(const RayGroup& rays, uint32_t lanes,
                               glm::vec4 (&colors)[kPacketSize]) {
-    const auto oneByOne = [&] {
-        forEach(lanes, [&](int i) { colors[i] = shadeMiss(rays.ray[i], rays.path(i)); });
-    };
     const ShaderObject* environment = frame_.environment.get();
-    if (!environment || !environment->functions().shadePacket || !asPacket(lanes, rays.depth))
-        return oneByOne();
+    if (!environment) {
+        std::fill_n(colors, kPacketSize, frame_.clearColor);
+        return;
+    }
+    const auto oneByOne = [&] {
+        forEach(lanes, [&](int i) { colors[i] = shadeMiss(rays.ray(i), rays.path(i)); });
+    };
+    if (!environment->functions().shadePacket || !asPacket(lanes, rays.depth)) return oneByOne();
     PointPacket& packet = beginPacket(rays, lanes);
-    packet.atSurface = false;
     RTSpacket& points = packet.points;
     for (RTSvectors* vectors : {&points.position, &points.geometricNormal, &points.shadingNormal,
                                 &points.rawNormal})
@@ -216,13 +309,15 @@ void RayServices::shadeMisses(const RayGroup& rays, uint32_t lanes,
     points.texCoordDensity = {};
     PixelSample before[kPacketSize];
     forEach(lanes, [&](int i) {
+        const Ray ray = rays.ray(i);
         before[i] = *rays.sample[i];
-        packet.cone[i] = rays.cone[i];
-        setLane(points.rayOrigin, i, rays.ray[i].org);
-        setLane(points.rayDirection, i, rays.ray[i].dir);
+        packet.coneWidth[i] = rays.coneWidth[i];
+        packet.coneSpread[i] = rays.coneSpread[i];
+        setLane(points.rayOrigin, i, ray.org);
+        setLane(points.rayDirection, i, ray.dir);
         points.rayDistance.lane[i] = kInfinity;
         points.object.lane[i] = points.instance.lane[i] = points.primitive.lane[i] = kNoId;
-        points.footprint.lane[i] = rays.cone[i].spread;
+        points.footprint.lane[i] = rays.coneSpread[i];
     });
     if (environment->functions().shadePacket(environment->block(), &points) != 0) {
         forEach(lanes, [&](int i) { *rays.sample[i] = before[i]; });
@@ -235,42 +330,36 @@ void RayServices::shadeMisses(const RayGroup& rays, uint32_t lanes,
 }
 
 void RayServices::spawn(PointPacket& from, uint32_t lanes, const RTSvectors& origin,
-                        const RTSvectors& direction, RayGroup& rays) {
-    const RTSpacket& points = from.points;
-    forEach(lanes, [&](int i) {
-        float start[3], towards[3], position[3];
-        getLane(origin, i, start);
-        getLane(direction, i, towards);
-        const glm::vec3 unit = unitDirection(towards);
-        Ray& ray = rays.ray[i];
-        std::copy_n(start, 3, ray.org);
-        for (int k = 0; k < 3; ++k) ray.dir[k] = unit[k];
-        ray.tNear = 0.0f;
-        ray.tFar = kInfinity;
-        rays.cone[i] = from.cone[i];
-        rays.sample[i] = from.sample[i];
-        getLane(points.position, i, position);
-        if (!from.atSurface || !std::equal(start, start + 3, position)) return;
-        float normal[3], incoming[3];
-        getLane(points.geometricNormal, i, normal);
-        getLane(points.rayDirection, i, incoming);
-        if (from.error[i] < 0.0f)
-            from.error[i] = surfaceError(from.chain[i], position, from.u[i], from.v[i]);
-        const glm::vec3 moved = leaveSurface(position, normal, incoming, unit, from.error[i]);
-        for (int k = 0; k < 3; ++k) ray.org[k] = moved[k];
+                        const RTSvectors& direction, RayPacket& rays) const {
+    forEach(lanes & from.errorsMissing, [&](int i) {
+        float position[3];
+        getLane(from.points.position, i, position);
+        from.error[i] = surfaceError(from.chain(i), position, from.u[i], from.v[i]);
     });
+    from.errorsMissing &= ~lanes;
+    math_.spawn(from.points, from.atSurface() ? from.error : nullptr, origin, direction, rays);
+    rays.active = lanes;
+}
+
+void RayServices::spawn(PointPacket& from, uint32_t lanes, const RTSvectors& origin,
+                        const RTSvectors& direction, RayGroup& rays) const {
+    spawn(from, lanes, origin, direction, rays.rays);
+    std::copy_n(from.coneWidth, kPacketSize, rays.coneWidth);
+    std::copy_n(from.coneSpread, kPacketSize, rays.coneSpread);
+    forEach(lanes, [&](int i) { rays.sample[i] = from.sample[i]; });
 }
 
 // The lane as a point by itself, for shaders that know no packets.
-void RayServices::gatherState(PointPacket& packet, int lane, RTSstate& state,
-                              RayStart& start) const {
+void RayServices::gatherState(PointPacket& packet, int lane, RTSstate& state, RayStart& start,
+                              HitChain& chain) const {
     const RTSpacket& points = packet.points;
-    start = {packet.services, packet.sample[lane], packet.cone[lane]};
-    if (packet.atSurface) {
-        start.chain = &packet.chain[lane];
+    start = {packet.services, packet.sample[lane], packet.cone(lane)};
+    if (packet.atSurface()) {
+        chain = packet.chain(lane);
+        start.chain = &chain;
         start.u = packet.u[lane];
         start.v = packet.v[lane];
-        start.error = packet.error[lane];
+        start.error = packet.errorsMissing >> lane & 1u ? -1.0f : packet.error[lane];
     }
     state = {};
     state.functions = &functions_;
@@ -313,15 +402,15 @@ RTuint RayServices::packetTraceHit(RTSpacket* packet, RTuint lanes, const RTSvec
         std::fill_n(ids->lane, kPacketSize, kNoId);
     if (lanes == 0 || (packet->flags & RTS_STOPPED)) return 0;
     RayGroup rays;
-    spawn(from, lanes, *origin, *direction, rays);
+    self.spawn(from, lanes, *origin, *direction, rays);
     self.counters_.secondaryRays += uint64_t(std::popcount(lanes));
     self.findHits(rays, lanes);
     RTSstate point;
     forEach(lanes, [&](int i) {
-        const Hit& hit = rays.hit[i];
+        const Hit hit = rays.hit(i);
         if (hit.triangle == kNoHit) return;
         const HitChain chain = resolve(*self.frame_.scene, hit.path, hit.levels, hit.triangle);
-        fillSurfacePoint(chain, hit.path[0], rays.ray[i], hit.t, hit.u, hit.v, point);
+        fillSurfacePoint(chain, hit.path[0], rays.ray(i), hit.t, hit.u, hit.v, point);
         found->distance.lane[i] = hit.t;
         setLane(found->position, i, point.position);
         setLane(found->normal, i, point.geometricNormal);
@@ -340,18 +429,25 @@ RTuint RayServices::packetIlluminate(RTSpacket* packet, RTuint lanes, RTuint lig
                                      RTSlightpacket* samples) {
     PointPacket& from = packetOf(*packet);
     const RayServices& self = *from.services;
-    *samples = {};
     if (light >= self.shading_.lights.size()) return 0;
+    lanes &= packet->active;
+    if (light < from.lightsAhead) {
+        *samples = from.ahead[light].sample;
+        return from.ahead[light].lit & lanes;
+    }
     const LightPart& part = self.shading_.lights[light];
+    if (part.point) return self.samplePointLight(*part.point, packet->position, *samples) & lanes;
     const RTshaderclass& functions = part.light->functions();
     RTuint lit = 0;
-    forEach(lanes & packet->active, [&](int i) {
+    *samples = {};
+    forEach(lanes, [&](int i) {
         RTSlightsample sample = {};
         int answer = 0;
         if (functions.illuminateSample) {
             RTSstate state;
             RayStart start;
-            self.gatherState(from, i, state, start);
+            HitChain chain;
+            self.gatherState(from, i, state, start, chain);
             answer = functions.illuminateSample(part.light->block(), &state, part.sample,
                                                 part.samples, &sample);
         } else {
@@ -403,14 +499,14 @@ void RayServices::packetEnvironment(RTSpacket* packet, RTuint lanes, const RTSve
     rays.depth = packet->depth + 1;
     rays.flags = packet->flags;
     forEach(lanes, [&](int i) {
-        Ray& ray = rays.ray[i];
-        ray = {};
+        Ray ray{};
         float towards[3];
         getLane(packet->position, i, ray.org);
         getLane(*direction, i, towards);
         const glm::vec3 unit = unitDirection(towards);
         for (int k = 0; k < 3; ++k) ray.dir[k] = unit[k];
-        rays.cone[i] = from.cone[i];
+        rays.setRay(i, ray);
+        rays.setCone(i, from.cone(i));
         rays.weight[i] = packet->weight.lane[i];
         rays.sample[i] = from.sample[i];
     });

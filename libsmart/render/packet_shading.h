@@ -11,42 +11,68 @@
 namespace smart {
 
 template <class Shading>
-bool ShadingServices<Shading>::shadePacket(const ShaderObject& surface, const RayGroup& rays,
-                                           uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
-                                           ShadedSample* found) {
+bool ShadingServices<Shading>::shadePacket(PointPacket& packet, const HitGroup& group) {
+    RTSpacket& points = packet.points;
+    const uint32_t lanes = points.active;
     PixelSample before[kPacketSize];
-    forEach(lanes, [&](int i) { before[i] = *rays.sample[i]; });
-    RTSpacket& points = packetAtHits(rays, lanes, surface).points;
-    if (Shading::template shadePacket<ShadingServices>(surface, points) != 0) {
-        forEach(lanes, [&](int i) { *rays.sample[i] = before[i]; });
+    forEach(lanes, [&](int i) { before[i] = *packet.sample[i]; });
+    if (Shading::template shadePacket<ShadingServices>(*packet.surface, points) != 0) {
+        forEach(lanes, [&](int i) { *packet.sample[i] = before[i]; });
         return false;
     }
-    forEach(lanes, [&](int i) {
-        colors[i] = {points.result[0].lane[i], points.result[1].lane[i],
-                     points.result[2].lane[i], points.result[3].lane[i]};
-        if (found) found[i].describe(rays.hit[i], points, i);
-    });
+    for (int i = 0; i < kPacketSize; ++i)
+        group.colors[i] = {points.result[0].lane[i], points.result[1].lane[i],
+                           points.result[2].lane[i], points.result[3].lane[i]};
+    if (group.found)
+        forEach(lanes, [&](int i) { group.found[i].describe(group.rays->hits.t[i], points, i); });
     return true;
+}
+
+template <class Shading>
+void ShadingServices<Shading>::shadePoints(const HitGroup& group, uint32_t lanes) {
+    const RayGroup& rays = *group.rays;
+    forEach(lanes, [&](int i) {
+        group.colors[i] = shadeHit(rays.ray(i), rays.hit(i), rays.path(i),
+                                   group.found ? &group.found[i] : nullptr);
+    });
 }
 
 // Which of a packet's points was to blame, if it fails, only their scalar form can tell.
 template <class Shading>
-void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const RayGroup& rays,
-                                          uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
-                                          ShadedSample* found) {
+void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const HitGroup& group) {
+    uint32_t lanes = group.lanes;
     if (shading_.fixedFunction) {
-        const uint32_t fixed = fixedLanes(surface, rays, lanes);
-        shadeFixed(rays, fixed, colors, found);
+        const uint32_t fixed = fixedLanes(surface, *group.rays, lanes);
+        shadeFixed(*group.rays, fixed, group.colors, group.found);
         lanes &= ~fixed;
         if (lanes == 0) return;
     }
-    if (surface && Shading::shadesPackets(*surface) && asPacket(lanes, rays.depth) &&
-        shadePacket(*surface, rays, lanes, colors, found))
+    if (surface && Shading::shadesPackets(*surface) && asPacket(lanes, group.rays->depth) &&
+        shadePacket(packetAtHits(*group.rays, lanes, *surface), group))
         return;
-    forEach(lanes, [&](int i) {
-        colors[i] =
-            shadeHit(rays.ray[i], rays.hit[i], rays.path(i), found ? &found[i] : nullptr);
-    });
+    shadePoints(group, lanes);
+}
+
+template <class Shading>
+void ShadingServices<Shading>::shadeGroups(const ShaderObject* surface,
+                                           std::span<const HitGroup> groups) {
+    const bool asPackets =
+        groups.size() > 1 && surface && !shading_.fixedFunction && !shading_.transparent &&
+        Shading::shadesPackets(*surface) && pool_->shadowGuess.expects(surface) &&
+        std::ranges::all_of(groups, [&](const HitGroup& group) {
+            return group.rays->depth == 0 && asPacket(group.lanes, 0);
+        });
+    if (!asPackets) {
+        for (const HitGroup& group : groups) shadeGroup(surface, group);
+        return;
+    }
+    PointPacket* packets[kTilePackets];
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        packets[i] = &packetAtHits(*groups[i].rays, groups[i].lanes, *surface, uint32_t(i));
+    lookAhead({packets, groups.size()});
+    pool_->shadowGuess.learn(surface, false);
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        if (!shadePacket(*packets[i], groups[i])) shadePoints(groups[i], groups[i].lanes);
 }
 
 template <class Shading>
@@ -54,25 +80,22 @@ void ShadingServices<Shading>::shadeRays(const RayGroup& rays, uint32_t lanes,
                                          glm::vec4 (&colors)[kPacketSize]) {
     if (shading_.blended) {
         forEach(lanes, [&](int i) {
-            colors[i] = shadeRay(rays.ray[i], rays.hit[i], rays.path(i), nullptr);
+            colors[i] = shadeRay(rays.ray(i), rays.hit(i), rays.path(i), nullptr);
         });
         return;
     }
-    const ShaderObject* surfaces[kPacketSize];
     uint32_t hits = 0;
-    forEach(lanes, [&](int i) {
-        if (rays.hit[i].triangle == kNoHit) return;
-        hits |= 1u << i;
-        surfaces[i] = findSurface(rays.hit[i]);
-    });
+    forEach(lanes, [&](int i) { hits |= rays.hasHit(i) ? 1u << i : 0u; });
     if (lanes != hits) shadeMisses(rays, lanes & ~hits, colors);
+    const ShaderObject* surfaces[kPacketSize];
+    findSurfaces(rays, hits, surfaces);
     while (hits != 0) {
         const ShaderObject* surface = surfaces[std::countr_zero(hits)];
         uint32_t group = 0;
         forEach(hits, [&](int i) {
             if (surfaces[i] == surface) group |= 1u << i;
         });
-        shadeGroup(surface, rays, group, colors, nullptr);
+        shadeGroup(surface, {&rays, group, colors, nullptr});
         hits &= ~group;
     }
 }
@@ -86,13 +109,13 @@ void ShadingServices<Shading>::attenuate(RayGroup& rays, uint32_t lanes,
         counters_.shadowRays += uint64_t(std::popcount(lanes));
         findHits(rays, lanes);
         forEach(lanes, [&](int i) {
-            const Hit& hit = rays.hit[i];
+            const Hit hit = rays.hit(i);
             if (hit.triangle != kNoHit && crossings[i].add(hit))
-                products[i] *= transparency(rays.ray[i], hit, rays.path(i));
+                products[i] *= transparency(rays.ray(i), hit, rays.path(i));
             if (hit.triangle == kNoHit || products[i] == glm::vec3(0.0f))
                 lanes &= ~(1u << i);
             else
-                rays.ray[i].tNear = crossings[i].beyond(hit);
+                rays.rays.tNear[i] = crossings[i].beyond(hit);
         });
     }
     forEach(lanes, [&](int i) { products[i] = glm::vec3(0.0f); });
@@ -117,7 +140,7 @@ RTuint ShadingServices<Shading>::packetTrace(RTSpacket* packet, RTuint lanes,
         if (!(rays.weight[i] < 0.0f)) traced |= 1u << i;
     });
     if (traced == 0) return 0;
-    spawn(from, traced, *origin, *direction, rays);
+    self.spawn(from, traced, *origin, *direction, rays);
     self.counters_.secondaryRays += uint64_t(std::popcount(traced));
     self.findHits(rays, traced);
     glm::vec4 colors[kPacketSize];
@@ -147,14 +170,16 @@ RTuint ShadingServices<Shading>::packetShadow(RTSpacket* packet, RTuint lanes,
         if (distance->lane[i] > 0.0f) traced |= 1u << i;
     });
     if (traced == 0) return lanes;
-    RayGroup rays;
-    rays.depth = packet->depth + 1;
-    rays.flags = packet->flags;
-    spawn(from, traced, *origin, *direction, rays);
-    forEach(traced, [&](int i) { rays.ray[i].tFar = distance->lane[i] * kBeforeLight; });
     if (self.shading_.transparent) {
+        RayGroup rays;
+        rays.depth = packet->depth + 1;
+        rays.flags = packet->flags;
+        self.spawn(from, traced, *origin, *direction, rays);
         glm::vec3 left[kPacketSize];
-        forEach(traced, [&](int i) { rays.weight[i] = packet->weight.lane[i]; });
+        forEach(traced, [&](int i) {
+            rays.rays.tFar[i] = distance->lane[i] * kBeforeLight;
+            rays.weight[i] = packet->weight.lane[i];
+        });
         self.attenuate(rays, traced, left);
         forEach(traced, [&](int i) {
             attenuation->r.lane[i] = left[i].r;
@@ -164,7 +189,15 @@ RTuint ShadingServices<Shading>::packetShadow(RTSpacket* packet, RTuint lanes,
         return lanes;
     }
     self.counters_.shadowRays += uint64_t(std::popcount(traced));
-    forEach(self.findOccluded(rays, traced), [&](int i) {
+    if (from.surface && packet->depth == 0) self.pool_->shadowGuess.learn(from.surface, true);
+    uint32_t blocked = 0;
+    if (!findAhead(from, traced, *origin, *direction, *distance, blocked)) {
+        RayPacket rays;
+        self.spawn(from, traced, *origin, *direction, rays);
+        for (int i = 0; i < kPacketSize; ++i) rays.tFar[i] = distance->lane[i] * kBeforeLight;
+        blocked = self.findOccluded(rays);
+    }
+    forEach(blocked, [&](int i) {
         for (RTSfloats* channel : {&attenuation->r, &attenuation->g, &attenuation->b})
             channel->lane[i] = 0.0f;
     });

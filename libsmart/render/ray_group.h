@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -23,21 +24,92 @@ struct PathState {
 /// said beside; the others hold nothing.
 struct RayGroup {
     uint32_t depth = 0, flags = 0; ///< of all
-    Ray ray[kPacketSize];
-    Hit hit[kPacketSize]; ///< triangle is kNoHit where nothing was met
-    RayCone cone[kPacketSize];
+    RayPacket rays;                ///< `active` is set by those who trace them
+    HitPacket hits;                ///< triangle is kNoHit where nothing was met
+    float coneWidth[kPacketSize], coneSpread[kPacketSize];
     float weight[kPacketSize];
     PixelSample* sample[kPacketSize];
 
+    Ray ray(int lane) const {
+        return {{rays.org[0][lane], rays.org[1][lane], rays.org[2][lane]},
+                {rays.dir[0][lane], rays.dir[1][lane], rays.dir[2][lane]},
+                rays.tNear[lane],
+                rays.tFar[lane]};
+    }
+    void setRay(int lane, const Ray& ray) {
+        for (int k = 0; k < 3; ++k) {
+            rays.org[k][lane] = ray.org[k];
+            rays.dir[k][lane] = ray.dir[k];
+        }
+        rays.tNear[lane] = ray.tNear;
+        rays.tFar[lane] = ray.tFar;
+    }
+    bool hasHit(int lane) const { return hits.triangle[lane] != kNoHit; }
+    Hit hit(int lane) const {
+        Hit hit;
+        hit.triangle = hits.triangle[lane];
+        hit.levels = 0;
+        if (hit.triangle == kNoHit) return hit;
+        hit.t = hits.t[lane];
+        hit.u = hits.u[lane];
+        hit.v = hits.v[lane];
+        hit.levels = hits.levels[lane];
+        for (uint32_t level = 0; level < hit.levels; ++level)
+            hit.path[level] = hits.path[level][lane];
+        return hit;
+    }
+    void setHit(int lane, const Hit& hit) {
+        hits.triangle[lane] = hit.triangle;
+        if (hit.triangle == kNoHit) return;
+        hits.t[lane] = hit.t;
+        hits.u[lane] = hit.u;
+        hits.v[lane] = hit.v;
+        hits.levels[lane] = hit.levels;
+        for (uint32_t level = 0; level < hit.levels; ++level)
+            hits.path[level][lane] = hit.path[level];
+    }
+    /// As many levels as one of the active rays needs.
+    void takeHits(const HitPacket& found) {
+        uint32_t levels = 0;
+        for (int i = 0; i < kPacketSize; ++i) {
+            const bool counts = found.triangle[i] != kNoHit && (rays.active >> i & 1u) != 0;
+            levels = std::max(levels, counts ? found.levels[i] : 0u);
+        }
+        std::copy_n(found.t, kPacketSize, hits.t);
+        std::copy_n(found.u, kPacketSize, hits.u);
+        std::copy_n(found.v, kPacketSize, hits.v);
+        std::copy_n(found.triangle, kPacketSize, hits.triangle);
+        std::copy_n(found.levels, kPacketSize, hits.levels);
+        for (uint32_t level = 0; level < levels; ++level)
+            std::copy_n(found.path[level], kPacketSize, hits.path[level]);
+    }
+    RayCone cone(int lane) const { return {coneWidth[lane], coneSpread[lane]}; }
+    void setCone(int lane, const RayCone& cone) {
+        coneWidth[lane] = cone.width;
+        coneSpread[lane] = cone.spread;
+    }
     PathState path(int lane) const {
-        return {sample[lane], depth, weight[lane], flags, cone[lane]};
+        return {sample[lane], depth, weight[lane], flags, cone(lane)};
     }
     void copyLane(int to, const RayGroup& from, int lane) {
-        ray[to] = from.ray[lane];
-        hit[to] = from.hit[lane];
-        cone[to] = from.cone[lane];
+        setRay(to, from.ray(lane));
+        setHit(to, from.hit(lane));
+        setCone(to, from.cone(lane));
         weight[to] = from.weight[lane];
         sample[to] = from.sample[lane];
+    }
+
+    /// Among lanes that hit something, those that took the way that the lowest of them took.
+    uint32_t sameWay(uint32_t lanes) const {
+        const int first = std::countr_zero(lanes);
+        uint32_t differ[kPacketSize];
+        for (int i = 0; i < kPacketSize; ++i) differ[i] = hits.levels[i] ^ hits.levels[first];
+        for (uint32_t level = 0; level < hits.levels[first]; ++level)
+            for (int i = 0; i < kPacketSize; ++i)
+                differ[i] |= hits.path[level][i] ^ hits.path[level][first];
+        uint32_t same = 0;
+        for (int i = 0; i < kPacketSize; ++i) same |= differ[i] == 0 ? 1u << i : 0u;
+        return same & lanes;
     }
 };
 

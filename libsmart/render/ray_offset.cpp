@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 
+#include "libsmart/kernel/point_math.h"
+
 namespace smart {
 namespace {
 
@@ -57,16 +59,10 @@ float surfaceError(const HitChain& chain, const float position[3], float u, floa
 
 glm::vec3 leaveSurface(const float position[3], const float normal[3], const float incoming[3],
                        const glm::vec3& direction, float error) {
-    const auto along = [&](const float d[3]) {
-        return double(d[0]) * normal[0] + double(d[1]) * normal[1] + double(d[2]) * normal[2];
-    };
-    const float outgoing[3] = {direction.x, direction.y, direction.z};
-    double side = along(outgoing);
-    if (side == 0.0) side = -along(incoming);
-    const double step = std::copysign(double(error), side);
-    glm::vec3 origin;
-    for (int k = 0; k < 3; ++k) origin[k] = float(position[k] + step * normal[k]);
-    return origin;
+    const auto widened = [](const float* v) { return Real3{v[0], v[1], v[2]}; };
+    const Real3 origin = offSurface(widened(position), widened(normal), widened(incoming),
+                                    {direction.x, direction.y, direction.z}, error);
+    return {float(origin.x), float(origin.y), float(origin.z)};
 }
 
 } // namespace smart

@@ -27,10 +27,8 @@ void copy(float (&to)[3], const Vector& from) {
 } // namespace
 
 glm::vec3 unitDirection(const float direction[3]) {
-    const glm::dvec3 d(direction[0], direction[1], direction[2]);
-    const double length = std::sqrt(glm::dot(d, d)); // squares of floats are in double's range
-    if (!(length > 0.0) || !std::isfinite(length)) return glm::vec3(0.0f);
-    return glm::vec3(d / length);
+    const Real3 unit = unitOf({direction[0], direction[1], direction[2]});
+    return glm::vec3(float(unit.x), float(unit.y), float(unit.z));
 }
 
 RayServices::RayServices(const Frame& frame, TilePixels& counters, ShadingForm form,
@@ -40,6 +38,7 @@ RayServices::RayServices(const Frame& frame, TilePixels& counters, ShadingForm f
       counters_(counters),
       fixed_(frame),
       kernels_(kernels()),
+      math_(packetMathOf(kernels_)),
       precision_(std::size_t(frame.scene->precision())),
       recursionLimit_(std::min(frame.recursionLimit, kMaxRecursion)),
       functions_(functions),
@@ -100,6 +99,22 @@ bool RayServices::makeCameraRay(const CameraRays& camera, double x, double y, Pi
     if (!camera.make(x, y, ray, given)) return false;
     cone = camera.cone(x, y, ray, given);
     return true;
+}
+
+uint32_t RayServices::makeCameraRays(const CameraRays& camera, const double (&x)[kPacketSize],
+                                     const double (&y)[kPacketSize], uint32_t lanes,
+                                     RayGroup& rays) {
+    if (!frame_.camera) return camera.makePacket(math_, x, y, rays) & lanes;
+    uint32_t made = 0;
+    forEach(lanes, [&](int i) {
+        Ray ray;
+        RayCone cone;
+        if (!makeCameraRay(camera, x[i], y[i], *rays.sample[i], ray, cone)) return;
+        rays.setRay(i, ray);
+        rays.setCone(i, cone);
+        made |= 1u << i;
+    });
+    return made;
 }
 
 bool RayServices::visit(const Ray& ray, const PathState& path, PointState& point,
@@ -237,6 +252,7 @@ int RayServices::finishLight(const LightPart& part, int answer, PixelSample& ask
                              RTSlightsample& sample) {
     if (answer < 0) asked.fault = true;
     if (answer <= 0) return 0;
+    if (part.point) return 1; // nothing is left to be done
     const glm::vec3 direction = unitDirection(sample.direction);
     if (direction == glm::vec3(0.0f)) return 0; // the light is at the point
     copy(sample.direction, direction);

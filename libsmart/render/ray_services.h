@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libsmart/kernel/kernels.h"
+#include "libsmart/kernel/packet_math.h"
 #include "libsmart/render/camera_rays.h"
 #include "libsmart/render/fixed_function_shader.h"
 #include "libsmart/render/frame.h"
@@ -65,8 +66,8 @@ struct ShadedSample {
         instance = state.instance;
         primitive = state.primitive;
     }
-    void describe(const Hit& hit, const RTSpacket& points, int lane) {
-        distance = hit.t;
+    void describe(float t, const RTSpacket& points, int lane) {
+        distance = t;
         normal = {points.shadingNormal.x.lane[lane], points.shadingNormal.y.lane[lane],
                   points.shadingNormal.z.lane[lane]};
         object = points.object.lane[lane];
@@ -78,6 +79,14 @@ struct ShadedSample {
         bad = sample.fault || !isFinite(color);
         if (bad) color = {0.0f, 0.0f, 0.0f, 1.0f};
     }
+};
+
+/// Rays whose hits are to be shaded, and where the colours go.
+struct HitGroup {
+    const RayGroup* rays;
+    uint32_t lanes;
+    glm::vec4 (&colors)[kPacketSize];
+    ShadedSample* found; ///< what else is to be known of the hits; nullptr: nothing
 };
 
 /// How points are shaded where their shader can do both; the picture is the same.
@@ -101,6 +110,9 @@ public:
     /// Asks the camera for the ray through a point of a pixel; false where there is none.
     bool makeCameraRay(const CameraRays& camera, double x, double y, PixelSample& sample, Ray& ray,
                        RayCone& cone);
+    /// The same for the given lanes, whose samples are set; returns those that have a ray.
+    uint32_t makeCameraRays(const CameraRays& camera, const double (&x)[kPacketSize],
+                            const double (&y)[kPacketSize], uint32_t lanes, RayGroup& rays);
     /// What a camera ray meets, not yet shaded; false: nothing.
     bool visit(const Ray& ray, const PathState& path, PointState& point, ShadedSample& found);
 
@@ -112,6 +124,9 @@ public:
     std::span<const Hit> findAllHits(const Ray& ray, std::vector<Hit>& memory) const;
     /// The surface shader of what a ray hit; nullptr: there is none.
     const ShaderObject* findSurface(const Hit& hit);
+    /// Those of the given lanes, which hit something.
+    void findSurfaces(const RayGroup& rays, uint32_t lanes,
+                      const ShaderObject* (&surfaces)[kPacketSize]);
     /// What the given rays see that met nothing.
     void shadeMisses(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
 
@@ -164,8 +179,9 @@ protected:
 
     // Fixed function with a state block; see fixed_services.cpp.
     /// The block of a hit's outermost instance; nullptr: none.
-    const FixedState* stateOf(const Hit& hit) const {
-        return frame_.scene->group().instances()[hit.path[0]].state.get();
+    const FixedState* stateOf(const Hit& hit) const { return stateOf(hit.path[0]); }
+    const FixedState* stateOf(uint32_t instance) const {
+        return frame_.scene->group().instances()[instance].state.get();
     }
     bool isFixed(const HitChain& chain) const {
         return shading_.fixedFunction && chain.instances[0]->state && effectiveShader(chain) == 0;
@@ -185,21 +201,36 @@ protected:
         return form_ == ShadingForm::Packets && depth < kMaxPacketDepth &&
                std::popcount(lanes) >= kLeastLanes;
     }
-    /// The packet of what the given rays hit, which all has the shader.
-    PointPacket& packetAtHits(const RayGroup& rays, uint32_t lanes, const ShaderObject& surface);
+    /// The packet of what the given rays hit, which all has the shader. `number`: among those of
+    /// camera rays, which may be filled before one of them is shaded.
+    PointPacket& packetAtHits(const RayGroup& rays, uint32_t lanes, const ShaderObject& surface,
+                              uint32_t number = 0);
+    /// Finds what the lights send to neighbouring packets, and whether it arrives, with all rays
+    /// to a light in one tile.
+    void lookAhead(std::span<PointPacket* const> packets);
+    /// What lookAhead found out about these rays, as the lanes that are blocked; false: nothing.
+    static bool findAhead(const PointPacket& from, uint32_t lanes, const RTSvectors& origin,
+                          const RTSvectors& direction, const RTSfloats& distance,
+                          uint32_t& blocked);
     /// The rays that the lanes of a packet send on, but for their weights.
-    static void spawn(PointPacket& from, uint32_t lanes, const RTSvectors& origin,
-                      const RTSvectors& direction, RayGroup& rays);
-    /// The lanes among the given ones whose rays are blocked.
-    uint32_t findOccluded(const RayGroup& rays, uint32_t lanes) const;
+    void spawn(PointPacket& from, uint32_t lanes, const RTSvectors& origin,
+               const RTSvectors& direction, RayGroup& rays) const;
+    void spawn(PointPacket& from, uint32_t lanes, const RTSvectors& origin,
+               const RTSvectors& direction, RayPacket& rays) const;
+    /// The lanes among the active ones whose rays are blocked.
+    uint32_t findOccluded(const RayPacket& rays) const;
+    /// The same for `count` neighbouring packets.
+    void findOccluded(const RayPacket* rays, uint32_t count, uint32_t* blocked) const;
 
     const Frame& frame_;
     const FrameShading& shading_;
     TilePixels& counters_;
     FixedFunctionShader fixed_;
     const KernelTable& kernels_;
+    const PacketMath& math_;
     const std::size_t precision_;
     const uint32_t recursionLimit_;
+    const ThreadLoan<PacketPool> pool_;
 
 private:
     static constexpr int kLeastLanes = 3; ///< fewer are faster one by one
@@ -207,14 +238,21 @@ private:
     /// What a light's answer amounts to; 0: it contributes nothing.
     static int finishLight(const LightPart& part, int answer, PixelSample& asked,
                            RTSlightsample& sample);
-    PointPacket& beginPacket(const RayGroup& rays, uint32_t lanes);
-    void gatherState(PointPacket& packet, int lane, RTSstate& state, RayStart& start) const;
+    PointPacket& beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t number = 0);
+    /// Fills lanes one by one that the loops over lanes do not take.
+    void fillLanes(const RayGroup& rays, uint32_t lanes, PointPacket& packet) const;
+    /// The way of a hit from the scene to the triangle.
+    const HitChain& chainTo(const Hit& hit);
+    /// Lanes to which the light contributes.
+    uint32_t samplePointLight(const builtin::PointLight& light, const RTSvectors& position,
+                              RTSlightpacket& samples) const;
+    void gatherState(PointPacket& packet, int lane, RTSstate& state, RayStart& start,
+                     HitChain& chain) const;
 
     const RTSfunctions& functions_;
     const RTSpacketfunctions& packetFunctions_;
     const ShadingForm form_;
-    const ThreadLoan<PacketPool> pool_;
-    HitChain recent_; ///< of the hit that findSurface was asked for last
+    HitChain recent_; ///< of the hit that chainTo was asked for last
     uint32_t recentPath_[kMaxLevels];
 };
 

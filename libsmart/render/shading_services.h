@@ -18,10 +18,10 @@ public:
         : RayServices(frame, counters, form, kFunctions, kPacketFunctions) {}
 
     ShadedSample traceCameraRay(const Ray& ray, const PathState& path) override;
-    /// Shades what the given rays hit, which all has the shader; nullptr is a fault of each.
-    /// `found`: what else is to be known of the hits, or nullptr.
-    void shadeGroup(const ShaderObject* surface, const RayGroup& rays, uint32_t lanes,
-                    glm::vec4 (&colors)[kPacketSize], ShadedSample* found);
+    /// Shades hits that all have the shader; nullptr is a fault of each.
+    void shadeGroup(const ShaderObject* surface, const HitGroup& group);
+    /// The same for up to kTilePackets groups of neighbours.
+    void shadeGroups(const ShaderObject* surface, std::span<const HitGroup> groups);
 
     /// The entries of the function tables that shade surfaces.
     static int trace(RTSstate*, const float origin[3], const float direction[3], float weight,
@@ -45,9 +45,10 @@ private:
     /// Radiance and alpha from a hit; black if the shader fails.
     glm::vec4 shadeHit(const Ray& ray, const Hit& hit, const PathState& path,
                        ShadedSample* found);
-    /// The same for points of one shader as a packet; false: that failed, and nothing counts.
-    bool shadePacket(const ShaderObject& surface, const RayGroup& rays, uint32_t lanes,
-                     glm::vec4 (&colors)[kPacketSize], ShadedSample* found);
+    /// Shades lanes of a group one by one.
+    void shadePoints(const HitGroup& group, uint32_t lanes);
+    /// Shades the packet of a group as such; false: that failed, and nothing counts.
+    bool shadePacket(PointPacket& packet, const HitGroup& group);
     /// What rays see, whatever they met.
     void shadeRays(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
     /// What a ray sees by itself: by depth through what is blended.

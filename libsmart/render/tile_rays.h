@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <glm/vec4.hpp>
 
+#include "libsmart/kernel/kernels.h"
 #include "libsmart/render/framebuffer.h"
 #include "libsmart/render/hit_groups.h"
-#include "libsmart/render/ray_group.h"
+#include "libsmart/render/ray_services.h"
 
 namespace smart {
 
@@ -44,8 +45,10 @@ struct TileRays {
     RayGroup packets[tile_order::kPackets];
     uint32_t active[tile_order::kPackets]; ///< lanes with a ray
     PixelSample samples[TilePixels::kCount];
-    HitGroups groups;
+    HitGroups groups; ///< of packets that do not hit one surface
     HitGroups::RayNumber misses[TilePixels::kCount];
+    RayGroup collected[kTilePackets]; ///< rays of different packets
+    ShadedSample found[kTilePackets][kPacketSize];
 
     // By ray, over all samples.
     glm::vec4 sum[TilePixels::kCount];

@@ -22,7 +22,8 @@ public:
           pixels_(pixels),
           camera_(frame),
           services_(frame, pixels, form),
-          samples_(std::max(frame.samples, 1u)) {}
+          samples_(std::max(frame.samples, 1u)),
+          keepsFirst_(frame.target.aux.any()) {}
 
     void tracePackets();
     /// For frames with a rendering object, which says how pixels are made.
@@ -32,6 +33,14 @@ private:
     using RayNumber = HitGroups::RayNumber;
     static constexpr uint32_t kLanes = uint32_t(kPacketSize);
 
+    /// Rays of one surface in packets, and the places of their pixels.
+    struct Part {
+        const ShaderObject* surface;
+        const RayGroup* rays;
+        uint32_t lanes;
+        RayNumber ray[kPacketSize]; ///< of the tile, by lane
+    };
+
     /// Fills a pixel as one where nothing is; true where the camera sees it.
     bool clear(uint32_t i, uint32_t j);
     uint32_t visibleLanes(uint32_t packet);
@@ -39,11 +48,14 @@ private:
     /// Makes the rays of an 8 x 8 block from a packet on, and finds what they hit.
     void traceBlock(uint32_t packet, uint32_t sample);
     void traceSample(uint32_t sample);
-    /// Copies sixteen rays, or as many as there are, and returns their lanes.
-    uint32_t collect(std::span<const RayNumber> rays, RayGroup& group) const;
-    void finish(std::span<const RayNumber> rays, const glm::vec4 (&colors)[kPacketSize]);
-    void shadeHits(const ShaderObject* surface, std::span<const RayNumber> rays, uint32_t sample);
-    void shadeMisses(std::span<const RayNumber> rays);
+    /// Shades the packets of the block that hit one surface, and puts aside what the others hit.
+    void shadeBlock(uint32_t packet, std::size_t& misses, uint32_t sample);
+    /// Copies sixteen rays, or as many as there are, to a packet of their own.
+    Part collect(const ShaderObject* surface, std::span<const RayNumber> rays, RayGroup& group);
+    void finish(const Part& part, const glm::vec4 (&colors)[kPacketSize]);
+    /// Parts of the same surface are shaded together.
+    void shadeHits(std::span<const Part> parts, uint32_t sample);
+    void shadeMisses(const Part& part);
     void storeFirst(uint32_t entry, const Ray& ray, const ShadedSample& sample);
     void storeColors();
 
@@ -53,6 +65,7 @@ private:
     const CameraRays camera_;
     ShadingServices<Shading> services_;
     const uint32_t samples_;
+    const bool keepsFirst_; ///< more of a pixel is wanted than its colour
     const ThreadLoan<TileRays> rays_;
     uint32_t visible_[tile_order::kPackets]; ///< lanes whose pixel the camera sees
 };
@@ -85,7 +98,7 @@ template <class Shading>
 bool TileTracer<Shading>::clear(uint32_t i, uint32_t j) {
     const uint32_t entry = j * kTileSize + i;
     pixels_.color[entry] = frame_.clearColor;
-    pixels_.setMiss(entry);
+    if (keepsFirst_) pixels_.setMiss(entry);
     return camera_.covers(tile_.x + i, tile_.y + j);
 }
 
@@ -105,24 +118,22 @@ template <class Shading>
 void TileTracer<Shading>::makeRays(uint32_t packet, uint32_t sample) {
     const tile_order::Corner corner = tile_order::cornerOf(packet);
     RayGroup& group = rays_->packets[packet];
-    uint32_t active = 0;
-    forEach(visible_[packet], [&](int i) {
-        const uint32_t lane = uint32_t(i), ray = packet * kLanes + lane;
+    double atX[kPacketSize], atY[kPacketSize];
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
         const uint32_t x = tile_.x + corner.x + lane % tile_order::kPacketSide;
         const uint32_t y = tile_.y + corner.y + lane / tile_order::kPacketSide;
-        PixelSample& drawn = rays_->samples[ray];
+        PixelSample& drawn = rays_->samples[packet * kLanes + lane];
         drawn = PixelSample(x, y, sample, frame_.seed);
         const glm::vec2 at = samplePosition(x, y, frame_.seed, sample, samples_);
-        if (!services_.makeCameraRay(camera_, double(x) + at.x, double(y) + at.y, drawn,
-                                     group.ray[i], group.cone[i])) {
-            rays_->bad[ray] = true;
-            return;
-        }
-        group.weight[i] = 1.0f;
-        group.sample[i] = &drawn;
-        active |= 1u << lane;
-    });
-    rays_->active[packet] = active;
+        atX[lane] = double(x) + at.x;
+        atY[lane] = double(y) + at.y;
+        group.weight[lane] = 1.0f;
+        group.sample[lane] = &drawn;
+    }
+    const uint32_t lanes = visible_[packet];
+    rays_->active[packet] = services_.makeCameraRays(camera_, atX, atY, lanes, group);
+    forEach(lanes & ~rays_->active[packet],
+            [&](int i) { rays_->bad[packet * kLanes + uint32_t(i)] = true; });
 }
 
 template <class Shading>
@@ -140,76 +151,125 @@ template <class Shading>
 void TileTracer<Shading>::traceSample(uint32_t sample) {
     rays_->groups.clear();
     std::size_t misses = 0;
-    for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet) {
-        if (packet % kTilePackets == 0) traceBlock(packet, sample);
-        const uint32_t active = rays_->active[packet];
-        if (active == 0) continue;
-        RayGroup& group = rays_->packets[packet];
-        pixels_.primaryRays += uint64_t(std::popcount(active));
-        forEach(active, [&](int i) {
-            const auto ray = RayNumber(packet * kLanes + uint32_t(i));
-            if (group.hit[i].triangle == kNoHit)
-                rays_->misses[misses++] = ray;
-            else
-                rays_->groups.add(ray, services_.findSurface(group.hit[i]));
-        });
+    for (uint32_t packet = 0; packet < tile_order::kPackets; packet += kTilePackets) {
+        traceBlock(packet, sample);
+        shadeBlock(packet, misses, sample);
     }
     rays_->groups.forEachGroup(
         [&](const ShaderObject* surface, std::span<const RayNumber> rays) {
-            for (; !rays.empty(); rays = rays.subspan(std::min<std::size_t>(kLanes, rays.size())))
-                shadeHits(surface, rays, sample);
+            while (!rays.empty()) {
+                Part parts[kTilePackets];
+                uint32_t count = 0;
+                for (; count < kTilePackets && !rays.empty(); ++count) {
+                    parts[count] = collect(surface, rays, rays_->collected[count]);
+                    rays = rays.subspan(std::min<std::size_t>(kLanes, rays.size()));
+                }
+                shadeHits({parts, count}, sample);
+            }
         });
     for (std::span<const RayNumber> rays(rays_->misses, misses); !rays.empty();
          rays = rays.subspan(std::min<std::size_t>(kLanes, rays.size())))
-        shadeMisses(rays);
+        shadeMisses(collect(nullptr, rays, rays_->collected[0]));
 }
 
 template <class Shading>
-uint32_t TileTracer<Shading>::collect(std::span<const RayNumber> rays, RayGroup& group) const {
-    const auto count = uint32_t(std::min<std::size_t>(kLanes, rays.size()));
-    for (uint32_t i = 0; i < count; ++i)
-        group.copyLane(int(i), rays_->packets[rays[i] / kLanes], int(rays[i] % kLanes));
-    return (1u << count) - 1u;
-}
-
-template <class Shading>
-void TileTracer<Shading>::shadeHits(const ShaderObject* surface, std::span<const RayNumber> rays,
-                                    uint32_t sample) {
-    RayGroup group;
-    const uint32_t lanes = collect(rays, group);
-    glm::vec4 colors[kPacketSize];
-    if (sample != 0) {
-        services_.shadeGroup(surface, group, lanes, colors, nullptr);
-    } else {
-        ShadedSample found[kPacketSize];
-        services_.shadeGroup(surface, group, lanes, colors, found);
-        forEach(lanes, [&](int i) {
-            storeFirst(tile_order::entryOf(rays[std::size_t(i)]), group.ray[i], found[i]);
+void TileTracer<Shading>::shadeBlock(uint32_t packet, std::size_t& misses, uint32_t sample) {
+    constexpr int kLeastTogether = 12; // of fewer hits of a packet more are collected first
+    Part parts[kTilePackets];
+    std::size_t count = 0;
+    for (uint32_t p = packet; p < packet + kTilePackets; ++p) {
+        const uint32_t active = rays_->active[p];
+        if (active == 0) continue;
+        const RayGroup& group = rays_->packets[p];
+        pixels_.primaryRays += uint64_t(std::popcount(active));
+        uint32_t hits = 0;
+        for (int i = 0; i < kPacketSize; ++i) hits |= group.hasHit(i) ? 1u << i : 0u;
+        hits &= active;
+        forEach(active & ~hits, [&](int i) {
+            rays_->misses[misses++] = RayNumber(p * kLanes + uint32_t(i));
         });
+        if (hits == 0) continue;
+        const ShaderObject* surfaces[kPacketSize];
+        services_.findSurfaces(group, hits, surfaces);
+        const ShaderObject* const first = surfaces[std::countr_zero(hits)];
+        bool same = std::popcount(hits) >= kLeastTogether;
+        forEach(hits, [&](int i) { same &= surfaces[i] == first; });
+        if (!same) {
+            forEach(hits, [&](int i) {
+                rays_->groups.add(RayNumber(p * kLanes + uint32_t(i)), surfaces[i]);
+            });
+            continue;
+        }
+        Part& part = parts[count++];
+        part.surface = first;
+        part.rays = &group;
+        part.lanes = hits;
+        for (uint32_t lane = 0; lane < kLanes; ++lane)
+            part.ray[lane] = RayNumber(p * kLanes + lane);
     }
-    finish(rays, colors);
+    std::size_t first = 0;
+    for (std::size_t i = 1; i <= count; ++i) {
+        if (i < count && parts[i].surface == parts[first].surface) continue;
+        shadeHits({parts + first, i - first}, sample);
+        first = i;
+    }
 }
 
 template <class Shading>
-void TileTracer<Shading>::shadeMisses(std::span<const RayNumber> rays) {
-    RayGroup group;
-    const uint32_t lanes = collect(rays, group);
+typename TileTracer<Shading>::Part TileTracer<Shading>::collect(const ShaderObject* surface,
+                                                                std::span<const RayNumber> rays,
+                                                                RayGroup& group) {
+    const auto count = uint32_t(std::min<std::size_t>(kLanes, rays.size()));
+    Part part;
+    part.surface = surface;
+    part.rays = &group;
+    part.lanes = (1u << count) - 1u;
+    for (uint32_t i = 0; i < count; ++i) {
+        group.copyLane(int(i), rays_->packets[rays[i] / kLanes], int(rays[i] % kLanes));
+        part.ray[i] = rays[i];
+    }
+    return part;
+}
+
+template <class Shading>
+void TileTracer<Shading>::shadeHits(std::span<const Part> parts, uint32_t sample) {
+    if (parts.empty()) return;
+    glm::vec4 colors[kTilePackets][kPacketSize];
+    const bool describes = sample == 0 && keepsFirst_;
+    auto& found = rays_->found;
+    const auto group = [&](std::size_t i) {
+        const std::size_t n = std::min(i, parts.size() - 1);
+        return HitGroup{parts[n].rays, parts[n].lanes, colors[n], describes ? found[n] : nullptr};
+    };
+    const HitGroup groups[kTilePackets] = {group(0), group(1), group(2), group(3)};
+    services_.shadeGroups(parts[0].surface, {groups, parts.size()});
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        finish(parts[i], colors[i]);
+        if (describes)
+            forEach(parts[i].lanes, [&](int lane) {
+                storeFirst(tile_order::entryOf(parts[i].ray[lane]), parts[i].rays->ray(lane),
+                           found[i][lane]);
+            });
+    }
+}
+
+template <class Shading>
+void TileTracer<Shading>::shadeMisses(const Part& part) {
     glm::vec4 colors[kPacketSize];
-    services_.shadeMisses(group, lanes, colors);
-    finish(rays, colors);
+    services_.shadeMisses(*part.rays, part.lanes, colors);
+    finish(part, colors);
 }
 
 template <class Shading>
-void TileTracer<Shading>::finish(std::span<const RayNumber> rays,
-                                 const glm::vec4 (&colors)[kPacketSize]) {
-    for (std::size_t i = 0; i < std::min<std::size_t>(kLanes, rays.size()); ++i) {
-        const RayNumber ray = rays[i];
+void TileTracer<Shading>::finish(const Part& part, const glm::vec4 (&colors)[kPacketSize]) {
+    forEach(part.lanes, [&](int lane) {
+        const RayNumber ray = part.ray[lane];
         ShadedSample shaded;
-        shaded.color = colors[i];
+        shaded.color = colors[lane];
         shaded.judge(rays_->samples[ray]);
         rays_->sum[ray] += shaded.color;
         rays_->bad[ray] |= shaded.bad;
-    }
+    });
 }
 
 // The pixel's values beside the colour are those of its first sample.

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 
+#include "libsmart/kernel/point_math.h"
 #include "libsmart/shading/corner_attributes.h"
 
 namespace smart {
@@ -16,6 +17,11 @@ namespace {
 
 /// Length 1 whatever the length before; false for zero and what is not finite.
 bool normalizeSafely(glm::dvec3& v) {
+    Real3 usual{v.x, v.y, v.z};
+    if (normalizeUsual(usual)) {
+        v = {usual.x, usual.y, usual.z};
+        return true;
+    }
     const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     if (!(largest > 0) || !(largest <= std::numeric_limits<double>::max())) return false;
     v /= largest;
@@ -43,9 +49,10 @@ bool interpolateNormal(SurfaceTriangle& triangle, const CornerAttributes& corner
         geometric = glm::cross(vertex(t.v1) - vertex(t.v0), vertex(t.v2) - vertex(t.v0));
         normalizeSafely(geometric);
     }
-    glm::dvec3 sum(0.0);
-    for (int i = 0; i < 3; ++i) sum += weights[i] * (given[i] ? glm::dvec3(*given[i]) : geometric);
-    normal = triangle.toWorld(sum);
+    glm::dvec3 corner[3];
+    for (int i = 0; i < 3; ++i) corner[i] = given[i] ? glm::dvec3(*given[i]) : geometric;
+    normal = triangle.toWorld(weights[0] * corner[0] + weights[1] * corner[1] +
+                              weights[2] * corner[2]);
     return true;
 }
 
@@ -101,23 +108,14 @@ SurfaceTriangle::SurfaceTriangle(const HitChain& chain)
       normal_(areaNormal_),
       hasNormal_(normalizeSafely(normal_)) {}
 
-const glm::dvec3& SurfaceTriangle::flatShadingNormal() {
-    if (!hasFlat_) {
-        flat_ = normal_;
-        normalizeSafely(flat_);
-        hasFlat_ = true;
-    }
-    return flat_;
-}
-
 glm::dvec3 SurfaceTriangle::toWorld(const glm::dvec3& normal) {
     if (!hasCofactors_) {
         const glm::dvec3 x = chain_->toWorld[0], y = chain_->toWorld[1], z = chain_->toWorld[2];
         cofactors_ = {glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
-        determinant_ = glm::dot(x, cofactors_[0]);
+        shrink_ = 1.0 / glm::dot(x, cofactors_[0]);
         hasCofactors_ = true;
     }
-    return cofactors_ * normal / determinant_;
+    return cofactors_ * normal * shrink_;
 }
 
 void fillSurfacePoint(SurfaceTriangle& triangle, uint32_t instance, const Ray& ray, float t,
@@ -147,7 +145,7 @@ void fillSurfacePoint(SurfaceTriangle& triangle, uint32_t instance, const Ray& r
         store(state.shadingNormal, normalizeSafely(normal) ? normal : geometric);
     } else {
         store(state.rawNormal, geometric);
-        store(state.shadingNormal, triangle.normal() ? triangle.flatShadingNormal() : geometric);
+        store(state.shadingNormal, geometric);
     }
 
     const ShadingData& shading = chain.model->shading;

@@ -29,17 +29,15 @@ public:
     const glm::dvec3& areaNormal() const { return areaNormal_; }
     /// Length 1; nullptr: underflow took it.
     const glm::dvec3* normal() const { return hasNormal_ ? &normal_ : nullptr; }
-    /// The normal of length 1, normalised once more.
-    const glm::dvec3& flatShadingNormal();
     /// A normal of the model's in its own space to the world: times the inverse transpose.
     glm::dvec3 toWorld(const glm::dvec3& normal);
 
 private:
     const HitChain* chain_;
-    glm::dvec3 corners_[3], areaNormal_, normal_, flat_;
+    glm::dvec3 corners_[3], areaNormal_, normal_;
     glm::dmat3 cofactors_;
-    double determinant_ = 0;
-    bool hasNormal_, hasFlat_ = false, hasCofactors_ = false;
+    double shrink_ = 0; ///< 1 / determinant
+    bool hasNormal_, hasCofactors_ = false;
 };
 
 /// Fills what a state says of the ray and of the point it met: position, normals, weights,

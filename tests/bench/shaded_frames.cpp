@@ -84,13 +84,17 @@ public:
                 const uint32_t y = corner.y + lane / tile_order::kPacketSide;
                 if (x >= tile.width || y >= tile.height) continue;
                 PixelSample sample(tile.x + x, tile.y + y, 0, 0);
-                if (services.makeCameraRay(camera, sample.x + 0.5, sample.y + 0.5, sample,
-                                           rays.ray[lane], rays.cone[lane]))
-                    lanes |= 1u << lane;
+                Ray ray;
+                RayCone cone;
+                if (!services.makeCameraRay(camera, sample.x + 0.5, sample.y + 0.5, sample, ray,
+                                            cone))
+                    continue;
+                rays.setRay(int(lane), ray);
+                lanes |= 1u << lane;
             }
             if (lanes == 0) continue;
             services.findHits(rays, lanes);
-            forEach(lanes, [&](int lane) { found += rays.hit[lane].triangle != kNoHit; });
+            forEach(lanes, [&](int lane) { found += rays.hasHit(lane); });
         }
         hits += found;
     }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "libsmart/base/transcendental.h"
+#include "libsmart/kernel/point_math.h"
 #include "openrt/shader.hpp"
 
 namespace smart::builtin {
@@ -17,15 +18,13 @@ using namespace openrt;
 /// itself, nor so close to it that the radiance is no number any more.
 inline bool samplePoint(const Vec3& from, const Color& strength, const Vec3& position,
                         Vec3& direction, float& distance, Color& radiance) {
-    const double x = double(from.x) - position.x, y = double(from.y) - position.y,
-                 z = double(from.z) - position.z;
-    const double squared = x * x + y * y + z * z;
-    const double length = std::sqrt(squared);
-    direction = {float(x / length), float(y / length), float(z / length)};
-    distance = float(length);
-    radiance = {float(strength.r / squared), float(strength.g / squared),
-                float(strength.b / squared)};
-    return squared > 0 && std::isfinite(distance) && std::isfinite(radiance.r) &&
+    const PointLightSample sample =
+        samplePointLight({from.x, from.y, from.z}, {position.x, position.y, position.z});
+    direction = {float(sample.direction.x), float(sample.direction.y), float(sample.direction.z)};
+    distance = float(sample.distance);
+    radiance = {float(strength.r * sample.share), float(strength.g * sample.share),
+                float(strength.b * sample.share)};
+    return sample.distance > 0 && std::isfinite(distance) && std::isfinite(radiance.r) &&
            std::isfinite(radiance.g) && std::isfinite(radiance.b);
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What the renderer computes for the sixteen lanes of a packet at once beside tracing, compiled as
+// the kernels are. Lanes that hold nothing are computed along and say nothing.
+#pragma once
+
+#include <cstdint>
+
+#include "libsmart/kernel/kernels.h"
+#include "libsmart/kernel/point_math.h"
+#include "libsmart/kernel/view.h"
+#include "openrt/rts_packet.h"
+
+namespace smart {
+
+/// Values of vertices first..; those before take what is inherited.
+struct VertexValues {
+    const float* values; ///< nullptr: all inherit
+    uint32_t first;
+    const float* inherited; ///< as many floats as a value has
+};
+
+/// One model met in one way, as far as shading asks.
+struct SurfaceView {
+    const Triangle* triangles;
+    const double* toWorld; ///< four columns of three
+    bool oneLevel;         ///< an instance of the scene itself
+    const uint32_t* corners; ///< three numbers of vertices a triangle; nullptr: none are stored
+    VertexValues normals;    ///< three floats each; what is inherited is no matter
+    VertexValues texCoords, colors; ///< four floats each
+    uint32_t object, instance;
+};
+
+struct PacketMath {
+    const char* name; ///< as that of the KernelTable
+    /// Rays through sixteen points of the picture; returns the lanes that have one.
+    uint32_t (*cameraRays)(const MatrixLens&, const double* x, const double* y, RayPacket&,
+                           float* coneWidth, float* coneSpread);
+    /// Fills what a packet says of its rays and of the points that they met, weights to ids, as
+    /// fillSurfacePoint does for one. error: surfaceError, or negative where it takes more.
+    /// Returns the lanes, among the given ones, that take fillSurfacePoint itself.
+    uint32_t (*surfacePoints)(const SurfaceView&, const RayPacket&, const HitPacket&,
+                              uint32_t lanes, RTSpacket&, float* error);
+    /// Rays that go on from a packet's points; where they start exactly there, off the surface by
+    /// the errors. error: nullptr where the points are on no surface.
+    void (*spawn)(const RTSpacket&, const float* error, const RTSvectors& origin,
+                  const RTSvectors& direction, RayPacket&);
+    /// A light at `from` whose strength falls off with the square of the distance; returns the
+    /// lanes to which it contributes.
+    uint32_t (*pointLight)(const float* from, const float* strength, const RTSvectors& position,
+                           RTSlightpacket&);
+};
+
+/// The one compiled for the instruction set of a table of kernels.
+const PacketMath& packetMathOf(const KernelTable& kernels);
+
+} // namespace smart
