@@ -19,15 +19,19 @@ struct VertexValues {
     const float* inherited; ///< as many floats as a value has
 };
 
+/// Numbers of the vertices of the lanes' triangles.
+using VertexLanes = uint32_t[3][kPacketSize];
+
 /// One model met in one way, as far as shading asks.
 struct SurfaceView {
     const Triangle* triangles;
     const double* toWorld; ///< four columns of three
     bool oneLevel;         ///< an instance of the scene itself
-    const uint32_t* corners; ///< three numbers of vertices a triangle; nullptr: none are stored
     VertexValues normals;    ///< three floats each; what is inherited is no matter
     VertexValues texCoords, colors; ///< four floats each
     uint32_t object, instance;
+
+    bool asksVertices() const { return normals.values || texCoords.values || colors.values; }
 };
 
 struct PacketMath {
@@ -37,9 +41,10 @@ struct PacketMath {
                            float* coneWidth, float* coneSpread);
     /// Fills what a packet says of its rays and of the points that they met, weights to ids, as
     /// fillSurfacePoint does for one. error: surfaceError, or negative where it takes more.
-    /// Returns the lanes, among the given ones, that take fillSurfacePoint itself.
-    uint32_t (*surfacePoints)(const SurfaceView&, const RayPacket&, const HitPacket&,
-                              uint32_t lanes, RTSpacket&, float* error);
+    /// Returns the lanes, among the given ones, that take fillSurfacePoint itself. The vertices are
+    /// read, in all lanes, only where the view asks for them.
+    uint32_t (*surfacePoints)(const SurfaceView&, const VertexLanes&, const RayPacket&,
+                              const HitPacket&, uint32_t lanes, RTSpacket&, float* error);
     /// Rays that go on from a packet's points; where they start exactly there, off the surface by
     /// the errors. error: nullptr where the points are on no surface.
     void (*spawn)(const RTSpacket&, const float* error, const RTSvectors& origin,

@@ -20,13 +20,13 @@ Real3 widened(const float (&x)[N], const float (&y)[N], const float (&z)[N], int
 }
 Real3 widened(const RTSvectors& v, int i) { return widened(v.x.lane, v.y.lane, v.z.lane, i); }
 
-template <bool hasEye>
+template <bool hasEye, bool upright>
 uint32_t raysThrough(const MatrixLens& lens, const double* __restrict x, const double* __restrict y,
                      RayPacket& __restrict rays, float* __restrict coneWidth,
                      float* __restrict coneSpread) {
     uint32_t made = 0;
     for (int i = 0; i < N; ++i) {
-        const LensRay ray = rayThrough<hasEye>(lens, x[i], y[i]);
+        const LensRay ray = rayThrough<hasEye, upright>(lens, x[i], y[i]);
         rays.org[0][i] = ray.org[0];
         rays.org[1][i] = ray.org[1];
         rays.org[2][i] = ray.org[2];
@@ -44,8 +44,9 @@ uint32_t raysThrough(const MatrixLens& lens, const double* __restrict x, const d
 
 uint32_t cameraRays(const MatrixLens& lens, const double* x, const double* y, RayPacket& rays,
                     float* coneWidth, float* coneSpread) {
-    return lens.hasEye ? raysThrough<true>(lens, x, y, rays, coneWidth, coneSpread)
-                       : raysThrough<false>(lens, x, y, rays, coneWidth, coneSpread);
+    return forLens(lens, [&](auto hasEye, auto upright) {
+        return raysThrough<hasEye.value, upright.value>(lens, x, y, rays, coneWidth, coneSpread);
+    });
 }
 
 /// Values of the vertices of sixteen triangles.
@@ -67,28 +68,27 @@ void gatherCorners(const Triangle* triangles, const uint32_t (&number)[N], Corne
 }
 
 /// Gathers values of vertices, what is inherited included.
-void gatherValues(const VertexValues& from, const uint32_t* corners, const uint32_t (&number)[N],
-                  CornerLanes<4>& to) {
+void gatherValues(const VertexValues& from, const VertexLanes& vertices, CornerLanes<4>& to) {
     for (int i = 0; i < N; ++i)
         for (int corner = 0; corner < 3; ++corner) {
-            const uint32_t vertex = corners[std::size_t(3) * number[i] + std::size_t(corner)];
+            const uint32_t vertex = vertices[corner][i];
             const float* value = vertex < from.first
                                      ? from.inherited
-                                     : from.values + std::size_t(4) * (vertex - from.first);
+                                     : from.values + uint64_t(4) * (vertex - from.first);
             for (int k = 0; k < 4; ++k) to.at[corner][k][i] = value[k];
         }
 }
 
 /// Gathers normals; returns the lanes with three of them, and in `some` those with one or two.
-uint32_t gatherNormals(const VertexValues& from, const uint32_t* corners,
-                       const uint32_t (&number)[N], CornerLanes<3>& to, uint32_t& some) {
+uint32_t gatherNormals(const VertexValues& from, const VertexLanes& vertices, CornerLanes<3>& to,
+                       uint32_t& some) {
     uint32_t all = 0;
     for (int i = 0; i < N; ++i) {
         int found = 0;
         for (int corner = 0; corner < 3; ++corner) {
-            const uint32_t vertex = corners[std::size_t(3) * number[i] + std::size_t(corner)];
+            const uint32_t vertex = vertices[corner][i];
             const bool given = vertex >= from.first;
-            const float* value = from.values + std::size_t(3) * (given ? vertex - from.first : 0);
+            const float* value = from.values + uint64_t(3) * (given ? vertex - from.first : 0);
             for (int k = 0; k < 3; ++k) to.at[corner][k][i] = value[k];
             found += given;
         }
@@ -186,8 +186,10 @@ void findErrors(const Matrix& m, const CornerLanes<3>& corners, const HitPacket&
         const Real3 a = cornerOf(corners, 0, i), b = cornerOf(corners, 1, i),
                     c = cornerOf(corners, 2, i);
         const Real3 point = a + (b - a) * double(hits.u[i]) + (c - a) * double(hits.v[i]);
-        const double lost = largestCoordinate(widened(p.position, i)) + rows * largestCoordinate(point);
-        const double far = largerOf(largerOf(largestCoordinate(a), largestCoordinate(b)), largestCoordinate(c));
+        const double lost =
+            largestCoordinate(widened(p.position, i)) + rows * largestCoordinate(point);
+        const double far = largerOf(largerOf(largestCoordinate(a), largestCoordinate(b)),
+                                    largestCoordinate(c));
         error[i] = float(4.0 * kUnit * lost + 0x1p-48 * rows * far);
     }
 }
@@ -225,7 +227,7 @@ void takeGeometric(uint32_t lanes, RTSpacket& p) {
 }
 
 /// Returns the lanes, among the given ones, that have what they need.
-uint32_t findShadingNormals(const SurfaceView& view, const uint32_t (&number)[N], const Matrix& m,
+uint32_t findShadingNormals(const SurfaceView& view, const VertexLanes& vertices, const Matrix& m,
                             const Weights& w, uint32_t lanes, RTSpacket& p) {
     if (!view.normals.values) {
         p.rawNormal = p.shadingNormal = p.geometricNormal;
@@ -233,7 +235,7 @@ uint32_t findShadingNormals(const SurfaceView& view, const uint32_t (&number)[N]
     }
     CornerLanes<3> normals;
     uint32_t some = 0;
-    const uint32_t all = gatherNormals(view.normals, view.corners, number, normals, some) & lanes;
+    const uint32_t all = gatherNormals(view.normals, vertices, normals, some) & lanes;
     uint32_t fine = lanes & ~some;
     if (all) fine &= interpolateNormals(m, normals, w, p) | ~all;
     takeGeometric(lanes & ~(all | some), p);
@@ -247,12 +249,11 @@ void interpolate(const CornerLanes<4>& from, const Weights& w, RTSfloats (&to)[4
                                   w[1][i] * double(from.at[1][k][i]) +
                                   w[2][i] * double(from.at[2][k][i]));
 }
-void interpolate(const float* same, const Weights& w, RTSfloats (&to)[4]) {
-    const double values[4] = {same[0], same[1], same[2], same[3]};
+/// What all corners have is what interpolation gives: the weights' sum is off by less than 2^-50,
+/// too little for another float.
+void spread(const float* same, RTSfloats (&to)[4]) {
     for (int k = 0; k < 4; ++k)
-        for (int i = 0; i < N; ++i)
-            to[k].lane[i] =
-                float(w[0][i] * values[k] + w[1][i] * values[k] + w[2][i] * values[k]);
+        for (int i = 0; i < N; ++i) to[k].lane[i] = same[k];
 }
 
 /// Texture coordinates per unit of length; area: square of twice the triangles' areas.
@@ -267,27 +268,27 @@ void findDensities(const CornerLanes<4>& from, const double* area, RTSfloats& to
     }
 }
 
-void findAttributes(const SurfaceView& view, const uint32_t (&number)[N], const Weights& w,
+void findAttributes(const SurfaceView& view, const VertexLanes& vertices, const Weights& w,
                     const double* area, RTSpacket& p) {
     CornerLanes<4> values;
     if (view.texCoords.values) {
-        gatherValues(view.texCoords, view.corners, number, values);
+        gatherValues(view.texCoords, vertices, values);
         interpolate(values, w, p.texCoord);
         findDensities(values, area, p.texCoordDensity);
     } else {
-        interpolate(view.texCoords.inherited, w, p.texCoord);
+        spread(view.texCoords.inherited, p.texCoord);
         p.texCoordDensity = {};
     }
     if (view.colors.values) {
-        gatherValues(view.colors, view.corners, number, values);
+        gatherValues(view.colors, vertices, values);
         interpolate(values, w, p.color);
     } else {
-        interpolate(view.colors.inherited, w, p.color);
+        spread(view.colors.inherited, p.color);
     }
 }
 
-uint32_t surfacePoints(const SurfaceView& view, const RayPacket& rays, const HitPacket& hits,
-                       uint32_t lanes, RTSpacket& p, float* error) {
+uint32_t surfacePoints(const SurfaceView& view, const VertexLanes& vertices, const RayPacket& rays,
+                       const HitPacket& hits, uint32_t lanes, RTSpacket& p, float* error) {
     uint32_t number[N]; // lanes that do not count take a triangle that exists
     const uint32_t some = hits.triangle[__builtin_ctz(lanes)];
     for (int i = 0; i < N; ++i) number[i] = (lanes & kLaneBit[i]) != 0 ? hits.triangle[i] : some;
@@ -302,8 +303,8 @@ uint32_t surfacePoints(const SurfaceView& view, const RayPacket& rays, const Hit
         findErrors(m, corners, hits, p, error);
     else
         for (int i = 0; i < N; ++i) error[i] = -1.0f;
-    fine &= findShadingNormals(view, number, m, w, lanes, p);
-    findAttributes(view, number, w, area, p);
+    fine &= findShadingNormals(view, vertices, m, w, lanes, p);
+    findAttributes(view, vertices, w, area, p);
     for (int i = 0; i < N; ++i) {
         p.object.lane[i] = view.object;
         p.instance.lane[i] = view.instance;

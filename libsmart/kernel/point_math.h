@@ -7,6 +7,8 @@
 // have to run without. No function of the C library but sqrt, no branch on a lane's numbers.
 #pragma once
 
+#include <type_traits>
+
 #include "libsmart/kernel/packet.h"
 
 namespace smart {
@@ -54,9 +56,14 @@ static inline Real3 unitOf(const Real3& direction) {
 struct MatrixLens {
     double inverse[4][4]; ///< of the projection matrix; columns
     double eye[3], turning[3];
-    double left, bottom, width, height; ///< of the viewport, in pixels
-    double sampleSide;                  ///< share of a pixel's side that a sample stands for
+    double left, bottom, width, height;  ///< of the viewport, in pixels
+    double pixelWidth, pixelHeight;      ///< 1 / width, 1 / height
+    double sampleSide; ///< share of a pixel's side that a sample stands for
     bool hasEye;
+    /// Whether near and far plane are seen upright: their w is the same in all pixels. Then the
+    /// distances to both are these multiples of the length of `motion` (see rayThrough).
+    bool upright;
+    double nearScale, farScale;
 };
 
 /// A camera ray, of direction length 1, and its cone.
@@ -74,10 +81,10 @@ static inline float squareSide(double area, double scale) {
 }
 
 /// The ray through a point given in pixels from the picture's lower left corner.
-template <bool hasEye>
+template <bool hasEye, bool upright>
 static inline LensRay rayThrough(const MatrixLens& lens, double x, double y) {
-    const double across = 2.0 * ((x - lens.left) / lens.width) - 1.0;
-    const double up = 2.0 * ((y - lens.bottom) / lens.height) - 1.0;
+    const double across = (2.0 * (x - lens.left) - lens.width) * lens.pixelWidth;
+    const double up = (2.0 * (y - lens.bottom) - lens.height) * lens.pixelHeight;
     // Homogeneous points of this pixel: near + s * step with s from 0 (near plane) to 2 (far).
     const auto& m = lens.inverse;
     const Real3 step{m[2][0], m[2][1], m[2][2]};
@@ -103,9 +110,15 @@ static inline LensRay rayThrough(const MatrixLens& lens, double x, double y) {
     Real3 origin;
     if constexpr (hasEye) {
         origin = {lens.eye[0], lens.eye[1], lens.eye[2]};
-        const double start = -length / (stepW * nearW);
+        double start, end;
+        if constexpr (upright) {
+            start = length * lens.nearScale;
+            end = length * lens.farScale;
+        } else {
+            start = -length / (stepW * nearW);
+            end = -length / (stepW * farW);
+        }
         ray.tNear = float(start > 0.0 ? start : 0.0);
-        const double end = -length / (stepW * farW);
         ray.tFar = float(endless ? __builtin_inf() : end);
         ray.coneWidth = 0.0f;
     } else {
@@ -117,7 +130,7 @@ static inline LensRay rayThrough(const MatrixLens& lens, double x, double y) {
         const Real3 right = (Real3{m[0][0], m[0][1], m[0][2]} - near * (m[0][3] * nearer)) * nearer;
         const Real3 above = (Real3{m[1][0], m[1][1], m[1][2]} - near * (m[1][3] * nearer)) * nearer;
         const double area = __builtin_fabs(dot(cross(right, above), motion)) * shrink *
-                            (2.0 / lens.width) * (2.0 / lens.height);
+                            (2.0 * lens.pixelWidth) * (2.0 * lens.pixelHeight);
         ray.coneWidth = squareSide(area, lens.sampleSide);
     }
     ray.org[0] = float(origin.x);
@@ -132,6 +145,15 @@ static inline LensRay rayThrough(const MatrixLens& lens, double x, double y) {
                        (ray.dir[1] - ray.dir[1]) + (ray.dir[2] - ray.dir[2]);
     ray.made = none == 0.0f;
     return ray;
+}
+
+/// function(hasEye, upright) with the lens's own, as types.
+template <class Function>
+static inline auto forLens(const MatrixLens& lens, Function&& function) {
+    constexpr std::true_type yes;
+    constexpr std::false_type no;
+    if (!lens.hasEye) return function(no, no);
+    return lens.upright ? function(yes, yes) : function(yes, no);
 }
 
 /// Where a ray that leaves a surface starts: off it by its error, to the side of the direction.

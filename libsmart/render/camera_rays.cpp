@@ -50,6 +50,12 @@ CameraRays::CameraRays(const Frame& frame) : frame_(frame), lens_{} {
     lens_.bottom = frame.viewport.y;
     lens_.width = frame.viewport.width;
     lens_.height = frame.viewport.height;
+    lens_.pixelWidth = 1.0 / lens_.width;
+    lens_.pixelHeight = 1.0 / lens_.height;
+    lens_.upright = inverse[0].w == 0.0 && inverse[1].w == 0.0;
+    const double nearW = inverse[3].w - w;
+    lens_.nearScale = -1.0 / (w * nearW);
+    lens_.farScale = -1.0 / (w * (nearW + 2.0 * w));
     lens_.sampleSide = 1.0 / std::sqrt(double(std::max(frame.samples, 1u)));
     lens_.hasEye = std::abs(w) > 0x1p-45 * scale && isFinite(glm::dvec3(glm::vec3(eye)));
 }
@@ -78,7 +84,9 @@ uint32_t CameraRays::makePacket(const PacketMath& math, const double (&x)[kPacke
 }
 
 LensRay CameraRays::fromMatrix(double x, double y) const {
-    return lens_.hasEye ? rayThrough<true>(lens_, x, y) : rayThrough<false>(lens_, x, y);
+    return forLens(lens_, [&](auto hasEye, auto upright) {
+        return rayThrough<hasEye.value, upright.value>(lens_, x, y);
+    });
 }
 
 bool CameraRays::fromShader(double x, double y, Ray& ray, RTSstate* state) const {

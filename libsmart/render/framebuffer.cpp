@@ -43,29 +43,46 @@ uint8_t toByte(float value, bool srgb) {
     return uint8_t(double(value) * 255.0 + 0.5); // in double the product is exact
 }
 
-void store(std::byte* to, const glm::vec4& color, PixelFormat format, bool srgb) {
-    const auto bytes = [&](int first, int second, int third, int count) {
-        const uint8_t values[4] = {toByte(color[first], srgb), toByte(color[second], srgb),
-                                   toByte(color[third], srgb), toByte(color.a, false)};
-        std::memcpy(to, values, std::size_t(count));
-    };
-    const auto floats = [&](int first, int second, int third, int count) {
-        const float values[4] = {color[first], color[second], color[third], color.a};
-        std::memcpy(to, values, std::size_t(count) * sizeof(float));
-    };
+/// A pixel's channels in the order in which they are stored.
+template <int first, int second, int third, int count>
+struct Order {
+    static constexpr int kChannel[4] = {first, second, third, 3};
+    static constexpr int kCount = count;
+};
+
+template <class Channels>
+void storeFloats(std::byte* to, const glm::vec4* from, uint32_t pixels) {
+    float row[kTileSize * Channels::kCount];
+    for (uint32_t i = 0; i < pixels; ++i)
+        for (int k = 0; k < Channels::kCount; ++k)
+            row[i * uint32_t(Channels::kCount) + uint32_t(k)] = from[i][Channels::kChannel[k]];
+    std::memcpy(to, row, pixels * uint32_t(Channels::kCount) * sizeof(float));
+}
+
+template <class Channels>
+void storeBytes(std::byte* to, const glm::vec4* from, uint32_t pixels, bool srgb) {
+    for (uint32_t i = 0; i < pixels; ++i)
+        for (int k = 0; k < Channels::kCount; ++k, ++to) {
+            const int channel = Channels::kChannel[k];
+            *to = std::byte(toByte(from[i][channel], srgb && channel != 3));
+        }
+}
+
+/// A row of a tile.
+void store(std::byte* to, const glm::vec4* from, uint32_t pixels, PixelFormat format, bool srgb) {
     switch (format) {
         case PixelFormat::Bgr32f:
-            return floats(2, 1, 0, 3);
+            return storeFloats<Order<2, 1, 0, 3>>(to, from, pixels);
         case PixelFormat::Rgb32f:
-            return floats(0, 1, 2, 3);
+            return storeFloats<Order<0, 1, 2, 3>>(to, from, pixels);
         case PixelFormat::Rgba32f:
-            return floats(0, 1, 2, 4);
+            return storeFloats<Order<0, 1, 2, 4>>(to, from, pixels);
         case PixelFormat::Rgb8:
-            return bytes(0, 1, 2, 3);
+            return storeBytes<Order<0, 1, 2, 3>>(to, from, pixels, srgb);
         case PixelFormat::Rgba8:
-            return bytes(0, 1, 2, 4);
+            return storeBytes<Order<0, 1, 2, 4>>(to, from, pixels, srgb);
         case PixelFormat::Bgra8:
-            return bytes(2, 1, 0, 4);
+            return storeBytes<Order<2, 1, 0, 4>>(to, from, pixels, srgb);
     }
 }
 
@@ -106,8 +123,7 @@ void writeTile(const PixelTarget& target, const Tile& tile, const TilePixels& pi
         for (uint32_t j = 0; j < tile.height; ++j) {
             std::byte* to = static_cast<std::byte*>(target.memory) +
                             (std::size_t(tile.y) + j) * stride + tile.x * pixelSize;
-            for (uint32_t i = 0; i < tile.width; ++i, to += pixelSize)
-                store(to, pixels.color[j * kTileSize + i], target.format, target.srgb);
+            store(to, &pixels.color[j * kTileSize], tile.width, target.format, target.srgb);
         }
     }
     static_assert(sizeof(glm::vec3) == 3 * sizeof(float));

@@ -17,24 +17,18 @@ float dotOf(const RTSvectors& a, const RTSvectors& b, int lane) {
 /// Points that show the light both their geometric and their shading normal's side. Shaders may
 /// ask about others; those are traced when they do.
 uint32_t facing(const RTSpacket& points, const RTSvectors& light) {
-    float front[kPacketSize];
-    for (int i = 0; i < kPacketSize; ++i) {
+    return lanesWhere([&](int i) {
         const float incoming = dotOf(points.geometricNormal, points.rayDirection, i);
         const float geometric = dotOf(points.geometricNormal, light, i);
         const float turned = dotOf(points.shadingNormal, points.geometricNormal, i) *
                              dotOf(points.shadingNormal, light, i);
         // Of one sign: the light is on the side of both normals that the ray came from.
-        front[i] = (incoming * geometric < 0.0f) & (turned * geometric > 0.0f) ? 1.0f : 0.0f;
-    }
-    uint32_t lanes = 0;
-    for (int i = 0; i < kPacketSize; ++i) lanes |= front[i] != 0.0f ? 1u << i : 0u;
-    return lanes;
+        return (incoming * geometric < 0.0f) & (turned * geometric > 0.0f);
+    });
 }
 
 bool sameLanes(const RTSfloats& a, const RTSfloats& b, uint32_t lanes) {
-    uint32_t differ = 0;
-    for (int i = 0; i < kPacketSize; ++i) differ |= a.lane[i] == b.lane[i] ? 0u : 1u << i;
-    return (differ & lanes) == 0;
+    return (lanes & ~lanesWhere([&](int i) { return a.lane[i] == b.lane[i]; })) == 0;
 }
 bool sameLanes(const RTSvectors& a, const RTSvectors& b, uint32_t lanes) {
     return sameLanes(a.x, b.x, lanes) && sameLanes(a.y, b.y, lanes) && sameLanes(a.z, b.z, lanes);

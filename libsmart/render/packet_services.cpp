@@ -84,7 +84,6 @@ SurfaceView surfaceView(const HitChain& chain, uint32_t instance) {
     return {chain.model->triangles.data(),
             &chain.toWorld[0][0],
             chain.levels == 1,
-            shading.corners.empty() ? nullptr : shading.corners.front().data(),
             vertexValues(shading.normals, shading.firstNormal, color),
             vertexValues(shading.texCoords, shading.firstTexCoord, texCoord),
             vertexValues(shading.colors, shading.firstColor, color),
@@ -178,6 +177,38 @@ void RayServices::findSurfaces(const RayGroup& rays, uint32_t lanes,
     }
 }
 
+uint32_t RayServices::fillPoints(const RayGroup& rays, uint32_t lanes, const HitChain& way,
+                                 uint32_t instance, RTSpacket& points, float* error) const {
+    const SurfaceView view = surfaceView(way, instance);
+    VertexLanes vertices;
+    if (view.asksVertices()) {
+        const int some = std::countr_zero(lanes);
+        for (int i = 0; i < kPacketSize; ++i) {
+            const int lane = (lanes >> i & 1u) != 0 ? i : some;
+            const auto corners = way.model->shading.corners[rays.hits.triangle[lane]];
+            for (std::size_t k = 0; k < 3; ++k) vertices[k][i] = corners[k];
+        }
+    }
+    return math_.surfacePoints(view, vertices, rays.rays, rays.hits, lanes, points, error);
+}
+
+bool RayServices::findSurface(const RayGroup& rays, uint32_t lanes,
+                              const ShaderObject*& surface) {
+    if (rays.sameWay(lanes) == lanes) {
+        const HitChain& chain = chainTo(rays.hit(std::countr_zero(lanes)));
+        if (chain.model->shading.slots.empty()) {
+            surface = findSurface(chain);
+            return true;
+        }
+    }
+    const ShaderObject* surfaces[kPacketSize];
+    findSurfaces(rays, lanes, surfaces);
+    surface = surfaces[std::countr_zero(lanes)];
+    bool same = true;
+    forEach(lanes, [&](int i) { same &= surfaces[i] == surface; });
+    return same;
+}
+
 PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t number) {
     PointPacket& packet = pool_->at(rays.depth, number);
     packet.services = this;
@@ -255,16 +286,15 @@ PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
         const Hit first = rays.hit(std::countr_zero(same));
         const HitChain& way = packet.ways[ways] = chainTo(first);
         forEach(same, [&](int i) { packet.wayOf[i] = ways; });
-        const SurfaceView view = surfaceView(way, first.path[0]);
-        if (!view.oneLevel) packet.errorsMissing |= same;
+        if (way.levels > 1) packet.errorsMissing |= same;
         if (same == lanes) {
-            single = math_.surfacePoints(view, rays.rays, rays.hits, same, points, packet.error);
+            single = fillPoints(rays, same, way, first.path[0], points, packet.error);
         } else if (std::popcount(same) < kLeastTogether) {
             single |= same;
         } else {
             RTSpacket part;
             float error[kPacketSize];
-            single |= math_.surfacePoints(view, rays.rays, rays.hits, same, part, error);
+            single |= fillPoints(rays, same, way, first.path[0], part, error);
             forEach(same, [&](int i) {
                 copySurfacePoint(part, i, points);
                 packet.error[i] = error[i];

@@ -8,6 +8,7 @@
 #include "libsmart/kernel/packet.h"
 #include "libsmart/render/ray_cone.h"
 #include "libsmart/render/sampling.h"
+#include "openrt/lanes.hpp"
 
 namespace smart {
 
@@ -19,6 +20,15 @@ struct PathState {
     uint32_t flags = 0; ///< RTSstate::flags
     RayCone cone{};     ///< where the ray starts
 };
+
+/// Lanes where condition(lane) holds.
+template <class Condition>
+inline uint32_t lanesWhere(Condition&& condition) {
+    uint32_t lanes = 0;
+    for (int i = 0; i < kPacketSize; ++i)
+        lanes |= condition(i) ? openrt::detail::kLaneBit[i] : 0u;
+    return lanes;
+}
 
 /// Up to sixteen rays of different samples and what they met. Which of the lanes hold a ray is
 /// said beside; the others hold nothing.
@@ -107,9 +117,11 @@ struct RayGroup {
         for (uint32_t level = 0; level < hits.levels[first]; ++level)
             for (int i = 0; i < kPacketSize; ++i)
                 differ[i] |= hits.path[level][i] ^ hits.path[level][first];
-        uint32_t same = 0;
-        for (int i = 0; i < kPacketSize; ++i) same |= differ[i] == 0 ? 1u << i : 0u;
-        return same & lanes;
+        return lanesWhere([&](int i) { return differ[i] == 0; }) & lanes;
+    }
+    /// Lanes that hit something, if they hold a ray.
+    uint32_t hitLanes() const {
+        return lanesWhere([&](int i) { return hits.triangle[i] != kNoHit; });
     }
 };
 

@@ -47,7 +47,8 @@ struct PointState {
 };
 
 inline bool isFinite(const glm::vec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+    const glm::vec4 none = v - v; // NaN of what is infinite or NaN
+    return none.x + none.y + none.z + none.w == 0.0f;
 }
 
 /// What one camera ray brings home.
@@ -127,6 +128,8 @@ public:
     /// Those of the given lanes, which hit something.
     void findSurfaces(const RayGroup& rays, uint32_t lanes,
                       const ShaderObject* (&surfaces)[kPacketSize]);
+    /// The same for all of them, where they have one in common; false: some differ.
+    bool findSurface(const RayGroup& rays, uint32_t lanes, const ShaderObject*& surface);
     /// What the given rays see that met nothing.
     void shadeMisses(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
 
@@ -239,6 +242,9 @@ private:
     static int finishLight(const LightPart& part, int answer, PixelSample& asked,
                            RTSlightsample& sample);
     PointPacket& beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t number = 0);
+    /// Fills lanes whose hits are in one model, met in one way; returns those that it leaves.
+    uint32_t fillPoints(const RayGroup& rays, uint32_t lanes, const HitChain& way,
+                        uint32_t instance, RTSpacket& points, float* error) const;
     /// Fills lanes one by one that the loops over lanes do not take.
     void fillLanes(const RayGroup& rays, uint32_t lanes, PointPacket& packet) const;
     /// The way of a hit from the scene to the triangle.

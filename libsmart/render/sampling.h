@@ -30,20 +30,27 @@ constexpr glm::vec2 samplePosition(uint32_t x, uint32_t y, uint32_t seed, uint32
             unitFloat(uint32_t(shift >> 32) + i * 0x91E10DA5u)};
 }
 
-/// The random numbers of one sample of a pixel: SplitMix64.
+/// The random numbers of one sample of a pixel: SplitMix64. Seeded when the first is drawn, since
+/// most samples draw none.
 class RandomStream {
 public:
     constexpr RandomStream() = default;
     constexpr RandomStream(uint32_t x, uint32_t y, uint32_t sample, uint32_t seed)
-        : state_(mixBits(mixBits(uint64_t(y) << 32 | x) ^ (uint64_t(seed) << 32 | sample))) {}
+        : state_(uint64_t(y) << 32 | x), key_(uint64_t(seed) << 32 | sample), seeded_(false) {}
 
     constexpr float next() {
+        if (!seeded_) {
+            state_ = mixBits(mixBits(state_) ^ key_);
+            seeded_ = true;
+        }
         state_ += 0x9E3779B97F4A7C15u;
         return unitFloat(uint32_t(mixBits(state_) >> 32));
     }
 
 private:
-    uint64_t state_ = 0;
+    uint64_t state_ = 0; ///< the pixel before it is seeded
+    uint64_t key_ = 0;
+    bool seeded_ = true;
 };
 
 /// A sample of a pixel while it is made: what all rays that belong to it share.

@@ -105,6 +105,11 @@ bool TileTracer<Shading>::clear(uint32_t i, uint32_t j) {
 template <class Shading>
 uint32_t TileTracer<Shading>::visibleLanes(uint32_t packet) {
     const tile_order::Corner corner = tile_order::cornerOf(packet);
+    constexpr uint32_t kFar = tile_order::kPacketSide - 1;
+    const uint32_t left = tile_.x + corner.x, bottom = tile_.y + corner.y;
+    if (!keepsFirst_ && corner.x + kFar < tile_.width && corner.y + kFar < tile_.height &&
+        camera_.covers(left, bottom) && camera_.covers(left + kFar, bottom + kFar))
+        return (1u << kLanes) - 1u;
     uint32_t visible = 0;
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
         const uint32_t i = corner.x + lane % tile_order::kPacketSide;
@@ -118,18 +123,25 @@ template <class Shading>
 void TileTracer<Shading>::makeRays(uint32_t packet, uint32_t sample) {
     const tile_order::Corner corner = tile_order::cornerOf(packet);
     RayGroup& group = rays_->packets[packet];
+    const uint32_t left = tile_.x + corner.x, bottom = tile_.y + corner.y;
     double atX[kPacketSize], atY[kPacketSize];
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
-        const uint32_t x = tile_.x + corner.x + lane % tile_order::kPacketSide;
-        const uint32_t y = tile_.y + corner.y + lane / tile_order::kPacketSide;
+        const uint32_t column = lane % tile_order::kPacketSide;
+        const uint32_t row = lane / tile_order::kPacketSide;
         PixelSample& drawn = rays_->samples[packet * kLanes + lane];
-        drawn = PixelSample(x, y, sample, frame_.seed);
-        const glm::vec2 at = samplePosition(x, y, frame_.seed, sample, samples_);
-        atX[lane] = double(x) + at.x;
-        atY[lane] = double(y) + at.y;
-        group.weight[lane] = 1.0f;
+        drawn = PixelSample(left + column, bottom + row, sample, frame_.seed);
         group.sample[lane] = &drawn;
+        atX[lane] = left + (column + 0.5);
+        atY[lane] = bottom + (row + 0.5);
+        group.weight[lane] = 1.0f;
     }
+    if (samples_ > 1)
+        for (uint32_t lane = 0; lane < kLanes; ++lane) {
+            const PixelSample& drawn = rays_->samples[packet * kLanes + lane];
+            const glm::vec2 at = samplePosition(drawn.x, drawn.y, frame_.seed, sample, samples_);
+            atX[lane] = double(drawn.x) + at.x;
+            atY[lane] = double(drawn.y) + at.y;
+        }
     const uint32_t lanes = visible_[packet];
     rays_->active[packet] = services_.makeCameraRays(camera_, atX, atY, lanes, group);
     forEach(lanes & ~rays_->active[packet],
@@ -182,26 +194,22 @@ void TileTracer<Shading>::shadeBlock(uint32_t packet, std::size_t& misses, uint3
         if (active == 0) continue;
         const RayGroup& group = rays_->packets[p];
         pixels_.primaryRays += uint64_t(std::popcount(active));
-        uint32_t hits = 0;
-        for (int i = 0; i < kPacketSize; ++i) hits |= group.hasHit(i) ? 1u << i : 0u;
-        hits &= active;
+        const uint32_t hits = group.hitLanes() & active;
         forEach(active & ~hits, [&](int i) {
             rays_->misses[misses++] = RayNumber(p * kLanes + uint32_t(i));
         });
         if (hits == 0) continue;
-        const ShaderObject* surfaces[kPacketSize];
-        services_.findSurfaces(group, hits, surfaces);
-        const ShaderObject* const first = surfaces[std::countr_zero(hits)];
-        bool same = std::popcount(hits) >= kLeastTogether;
-        forEach(hits, [&](int i) { same &= surfaces[i] == first; });
-        if (!same) {
+        const ShaderObject* surface = nullptr;
+        if (std::popcount(hits) < kLeastTogether || !services_.findSurface(group, hits, surface)) {
+            const ShaderObject* surfaces[kPacketSize];
+            services_.findSurfaces(group, hits, surfaces);
             forEach(hits, [&](int i) {
                 rays_->groups.add(RayNumber(p * kLanes + uint32_t(i)), surfaces[i]);
             });
             continue;
         }
         Part& part = parts[count++];
-        part.surface = first;
+        part.surface = surface;
         part.rays = &group;
         part.lanes = hits;
         for (uint32_t lane = 0; lane < kLanes; ++lane)
@@ -289,7 +297,8 @@ void TileTracer<Shading>::storeColors() {
     for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet)
         forEach(visible_[packet], [&](int i) {
             const uint32_t ray = packet * kLanes + uint32_t(i);
-            const glm::vec4 mean = rays_->sum[ray] / float(samples_);
+            const glm::vec4& sum = rays_->sum[ray];
+            const glm::vec4 mean = samples_ == 1 ? sum : sum / float(samples_);
             // Finite samples may add up to what is not.
             const bool bad = rays_->bad[ray] || !isFinite(mean);
             pixels_.badPixels += bad;

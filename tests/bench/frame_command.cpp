@@ -18,7 +18,7 @@ struct Options {
 
 int run(const Options& options) {
     selectIsa(options.isa);
-    const ShadingReport report =
+    const FrameReport report =
         measureFrames(readTriangles(options.scene), options.view.view(), options.size,
                       options.threads, options.repeat, showProgress);
     showProgress("");

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstring>
 #include <ctime>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <iomanip>
@@ -13,6 +13,7 @@
 
 #include "libsmart/render/tile_order.h"
 #include "libsmart/render/tracers.h"
+#include "libsmart/shading/fixed_state.h"
 #include "libsmart/shading/shader_registry.h"
 #include "tests/bench/openrt_engine.h"
 
@@ -42,16 +43,36 @@ std::shared_ptr<const ShaderObject> pointLight(const View& view) {
     return std::make_shared<const ShaderObject>(light, values);
 }
 
+/// The scene, every instance with a state block that lights it by the view's light.
+ScenePtr litByFixedFunction(const Scene& scene, const View& view) {
+    auto state = std::make_shared<FixedState>();
+    state->lighting.enabled = state->lighting.shadows = true;
+    FixedLight& light = state->lighting.lights[0];
+    light.enabled = true;
+    for (int k = 0; k < 3; ++k) light.position[k] = float(view.light[k]);
+    light.position.w = 1.0f;
+    state->ops.depthTest = true;
+    std::vector<Instance> instances = scene.group().instances();
+    for (Instance& instance : instances) instance.state = state;
+    auto lit = std::make_shared<const Scene>(std::move(instances), scene.precision(), 1);
+    lit->prepareTiles();
+    return lit;
+}
+
+constexpr const char* kFixedFunctionLighting = "fixed function, lit, with shadows";
+
 /// A frame and the memory that it is written to.
 struct Shot {
     Frame frame;
     Pixels pixels;
 
-    Shot(const ScenePtr& scene, const char* surface, const View& view, uint32_t size)
+    Shot(const ScenePtr& scene, const std::string& surface, const View& view, uint32_t size)
         : pixels(std::size_t(size) * size) {
-        frame.scene = scene;
-        frame.shaders = std::make_shared<const ShaderTable>(ShaderTable{
-            std::make_shared<const ShaderObject>(findBuiltinClass(surface), ParameterValues())});
+        const bool fixed = surface == kFixedFunctionLighting;
+        frame.scene = fixed ? litByFixedFunction(*scene, view) : scene;
+        frame.shaders = std::make_shared<const ShaderTable>(
+            ShaderTable{std::make_shared<const ShaderObject>(
+                findBuiltinClass(fixed ? "FixedFunction" : surface), ParameterValues())});
         frame.lights = {pointLight(view)};
         const auto vector = [](const double (&v)[3]) { return glm::dvec3(v[0], v[1], v[2]); };
         const test::CameraPose& pose = view.camera;
@@ -75,26 +96,25 @@ public:
         ShadingServices services(frame, pixels);
         const CameraRays camera(frame);
         std::size_t found = 0;
-        for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet) {
-            const tile_order::Corner corner = tile_order::cornerOf(packet);
-            RayGroup rays;
-            uint32_t lanes = 0;
-            for (uint32_t lane = 0; lane < uint32_t(kPacketSize); ++lane) {
-                const uint32_t x = corner.x + lane % tile_order::kPacketSide;
-                const uint32_t y = corner.y + lane / tile_order::kPacketSide;
-                if (x >= tile.width || y >= tile.height) continue;
-                PixelSample sample(tile.x + x, tile.y + y, 0, 0);
-                Ray ray;
-                RayCone cone;
-                if (!services.makeCameraRay(camera, sample.x + 0.5, sample.y + 0.5, sample, ray,
-                                            cone))
-                    continue;
-                rays.setRay(int(lane), ray);
-                lanes |= 1u << lane;
+        for (uint32_t block = 0; block < tile_order::kPackets; block += kTilePackets) {
+            RayGroup groups[kTilePackets];
+            uint32_t lanes[kTilePackets];
+            for (uint32_t p = 0; p < kTilePackets; ++p) {
+                const tile_order::Corner corner = tile_order::cornerOf(block + p);
+                double x[kPacketSize], y[kPacketSize];
+                uint32_t inside = 0;
+                for (uint32_t lane = 0; lane < uint32_t(kPacketSize); ++lane) {
+                    const uint32_t i = corner.x + lane % tile_order::kPacketSide;
+                    const uint32_t j = corner.y + lane / tile_order::kPacketSide;
+                    if (i < tile.width && j < tile.height) inside |= 1u << lane;
+                    x[lane] = tile.x + i + 0.5;
+                    y[lane] = tile.y + j + 0.5;
+                }
+                lanes[p] = services.makeCameraRays(camera, x, y, inside, groups[p]);
             }
-            if (lanes == 0) continue;
-            services.findHits(rays, lanes);
-            forEach(lanes, [&](int lane) { found += rays.hasHit(lane); });
+            services.findTileHits(groups, lanes);
+            for (uint32_t p = 0; p < kTilePackets; ++p)
+                forEach(lanes[p], [&](int lane) { found += groups[p].hasHit(lane); });
         }
         hits += found;
     }
@@ -102,121 +122,172 @@ public:
     mutable std::atomic<std::size_t> hits{0};
 };
 
-/// Seconds of processor time, over all threads, for all tiles of a frame.
+/// Seconds that `threads` take for items 0 to count, which are handed out one by one.
+template <class Work>
+double timed(std::size_t count, unsigned threads, const Work& work) {
+    std::atomic<std::size_t> next{0};
+    const auto share = [&] {
+        const auto pixels = std::make_unique<TilePixels>();
+        for (std::size_t i = next++; i < count; i = next++) work(i, *pixels);
+    };
+    const std::clock_t processor = std::clock();
+    const auto clock = std::chrono::steady_clock::now();
+    std::vector<std::jthread> team;
+    for (unsigned i = 1; i < threads; ++i) team.emplace_back(share);
+    share();
+    team.clear();
+    if (threads == 1) return double(std::clock() - processor) / CLOCKS_PER_SEC;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
+}
+
+/// For all tiles of a frame.
 double timed(const Tracer& tracer, const Frame& frame, unsigned threads, bool write,
              std::atomic<std::size_t>& shadowRays) {
     const std::vector<Tile> tiles = mortonTiles(frame.target.width, frame.target.height);
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        const auto pixels = std::make_unique<TilePixels>();
-        for (;;) {
-            const std::size_t i = next++;
-            if (i >= tiles.size()) return;
-            pixels->shadowRays = 0;
-            tracer.render(frame, tiles[i], *pixels);
-            shadowRays += pixels->shadowRays;
-            if (write) writeTile(frame.target, tiles[i], *pixels);
-        }
+    return timed(tiles.size(), threads, [&](std::size_t i, TilePixels& pixels) {
+        pixels.shadowRays = 0;
+        tracer.render(frame, tiles[i], pixels);
+        shadowRays += pixels.shadowRays;
+        if (write) writeTile(frame.target, tiles[i], pixels);
+    });
+}
+
+/// The rays of a frame, packed.
+struct PackedRays {
+    RaySet primary, shadow;
+};
+
+double timed(const PackedRays& rays, const Scene& scene, bool shadows, unsigned threads) {
+    const KernelTable& table = kernels();
+    const auto mode = std::size_t(scene.precision());
+    const auto trace = [&](const RaySet& set, const auto& kernel) {
+        constexpr std::size_t kChunk = 16 * kTilePackets;
+        const std::size_t count = set.packets.size();
+        return timed((count + kChunk - 1) / kChunk, threads, [&](std::size_t i, TilePixels&) {
+            const std::size_t end = std::min((i + 1) * kChunk, count);
+            for (std::size_t p = i * kChunk; p < end; p += kTilePackets)
+                kernel(&set.packets[p], uint32_t(std::min<std::size_t>(kTilePackets, end - p)));
+        });
     };
-    const std::clock_t start = std::clock();
-    std::vector<std::jthread> team;
-    for (unsigned i = 1; i < threads; ++i) team.emplace_back(work);
-    work();
-    team.clear();
-    return double(std::clock() - start) / CLOCKS_PER_SEC;
+    double seconds = trace(rays.primary, [&](const RayPacket* packets, uint32_t count) {
+        HitPacket found[kTilePackets];
+        table.intersectTile[mode](scene.view(), packets, count, found);
+    });
+    if (shadows)
+        seconds += trace(rays.shadow, [&](const RayPacket* packets, uint32_t count) {
+            uint32_t blocked[kTilePackets];
+            table.occludedTile[mode](scene.view(), packets, count, blocked);
+        });
+    return seconds;
 }
 
 double least(const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
 }
 
-ShadingSeries measureSurface(const ScenePtr& scene, const char* surface, const View& view,
-                             uint32_t size, unsigned threads, unsigned repeats,
-                             const Progress& progress) {
+FrameSeries measureSurface(const ScenePtr& scene, const std::string& surface,
+                           const PackedRays& rays, const View& view, uint32_t size,
+                           unsigned threads, unsigned repeats, const Progress& progress) {
     Shot shot(scene, surface, view, size);
     const PacketTracer<> points(ShadingForm::Points), packets(ShadingForm::Packets);
     const FrameShading& shading = shot.frame.shading();
     const RaysOnly raysOnly;
-    const std::pair<const char*, const Tracer*> ways[] = {
-        {"rays", &raysOnly},
-        {"points, general", &points},
+    std::vector<std::pair<const char*, const Tracer*>> ways = {
+        {"packets, fixed", &tracerFor(shading, ShadingForm::Packets)},
         {"packets, general", &packets},
-        {"points, fixed", &tracerFor(shading, ShadingForm::Points)},
-        {"packets, fixed", &tracerFor(shading, ShadingForm::Packets)}};
+        {"points, general", &points}};
+    if (surface == kFixedFunctionLighting) ways.resize(1);
 
-    ShadingSeries series;
+    FrameSeries series;
     series.surface = surface;
-    std::vector<std::vector<double>> seconds(std::size(ways));
+    series.threads = threads;
+    series.pixels = std::size_t(size) * size;
+    series.aloneShadowRays = rays.shadow.active;
+    std::vector<std::vector<double>> seconds(ways.size());
+    std::vector<double> alone, camera;
     Pixels first;
-    for (std::size_t way = 1; way < std::size(ways); ++way)
-        series.results.push_back({ways[way].first});
+    for (const auto& way : ways) series.ways.push_back({way.first});
     for (unsigned repeat = 0; repeat <= repeats; ++repeat) { // the first only warms caches
-        progress(std::string(surface) + ", repeat " + std::to_string(repeat));
-        for (std::size_t way = 0; way < std::size(ways); ++way) {
-            raysOnly.hits = 0;
-            std::atomic<std::size_t> shadowRays{0};
-            const double time =
-                timed(*ways[way].second, shot.frame, threads, way > 0, shadowRays);
+        progress(surface + ", repeat " + std::to_string(repeat));
+        std::atomic<std::size_t> shadowRays{0};
+        for (std::size_t way = 0; way < ways.size(); ++way) {
+            shadowRays = 0;
+            const double time = timed(*ways[way].second, shot.frame, threads, true, shadowRays);
             if (repeat > 0) seconds[way].push_back(time);
-            if (way == 0) {
-                series.hits = raysOnly.hits;
-                continue;
-            }
-            series.shadowRays = shadowRays;
             if (first.empty()) first = shot.pixels;
             if (std::memcmp(first.data(), shot.pixels.data(), first.size() * sizeof first[0]) != 0)
-                series.results[way - 1].same = false;
+                series.ways[way].same = false;
         }
+        series.shadowRays = shadowRays;
+        const double making = timed(raysOnly, shot.frame, threads, false, shadowRays);
+        const double tracing = timed(rays, *scene, series.shadowRays > 0, threads);
+        if (repeat == 0) continue;
+        camera.push_back(making);
+        alone.push_back(tracing);
     }
-    series.raySeconds = least(seconds[0]);
-    for (std::size_t way = 1; way < std::size(ways); ++way)
-        series.results[way - 1].seconds = least(seconds[way]);
+    series.aloneSeconds = least(alone);
+    series.cameraSeconds = least(camera);
+    for (std::size_t way = 0; way < ways.size(); ++way)
+        series.ways[way].seconds = least(seconds[way]);
     return series;
 }
 
 } // namespace
 
-bool ShadingReport::allSame() const {
-    for (const ShadingSeries& s : series)
-        for (const ShadingResult& result : s.results)
-            if (!result.same) return false;
-    return true;
+bool FrameReport::allSame() const {
+    return std::ranges::all_of(series, [](const FrameSeries& s) {
+        return std::ranges::all_of(s.ways, [](const FrameCost& way) { return way.same; });
+    });
 }
 
-std::ostream& operator<<(std::ostream& out, const ShadingReport& report) {
+std::ostream& operator<<(std::ostream& out, const FrameReport& report) {
     out << std::fixed << std::setprecision(2);
-    for (const ShadingSeries& s : report.series) {
-        out << s.surface << ", threads: " << report.threads << ", hits: " << s.hits
-            << ", shadow rays: " << s.shadowRays << "\n  camera rays alone    " << std::setw(9)
-            << s.raySeconds * 1e3 << " ms\n";
-        const auto perHit = [&](const ShadingResult& result) {
-            return (result.seconds - s.raySeconds) * 1e9 /
-                   double(std::max<std::size_t>(s.hits, 1));
-        };
-        for (const ShadingResult& result : s.results) {
-            out << "  " << std::left << std::setw(19) << result.way << std::right << std::setw(9)
-                << result.seconds * 1e3 << " ms, " << std::setw(8) << perHit(result)
-                << " ns a shaded hit, frame " << s.results[0].seconds / result.seconds
-                << " times and shading " << perHit(s.results[0]) / perHit(result)
-                << " times as fast as the first";
-            if (!result.same) out << ", refused: the pixels differ";
-            out << '\n';
+    const auto line = [&](const char* what, const FrameSeries& s, double seconds) {
+        out << "  " << std::left << std::setw(26) << what << std::right << std::setw(9)
+            << seconds * 1e9 / double(s.pixels) << " ns a pixel, " << seconds / s.aloneSeconds
+            << " times the rays alone";
+        for (const FrameSeries& one : report.series) // what one thread took for the same
+            if (s.threads > 1 && one.threads == 1 && one.surface == s.surface) {
+                double before = seconds == s.aloneSeconds ? one.aloneSeconds : one.cameraSeconds;
+                for (const FrameCost& way : one.ways)
+                    if (way.way == what) before = way.seconds;
+                out << ", " << before / seconds << " times as fast as one thread";
+            }
+    };
+    for (const FrameSeries& s : report.series) {
+        out << s.surface << ", threads: " << s.threads << ", pixels: " << s.pixels
+            << ", shadow rays: " << s.shadowRays;
+        if (s.shadowRays > 0) out << " (alone: " << s.aloneShadowRays << ')';
+        out << '\n';
+        line("rays alone", s, s.aloneSeconds);
+        out << '\n';
+        line("camera rays, traced", s, s.cameraSeconds);
+        out << '\n';
+        for (const FrameCost& way : s.ways) {
+            line(way.way.c_str(), s, way.seconds);
+            out << (way.same ? "\n" : ", refused: the pixels differ\n");
         }
     }
     return out;
 }
 
-ShadingReport measureFrames(const std::vector<Triangle>& triangles, const View& view,
-                            uint32_t size, unsigned threads, unsigned repeats,
-                            const Progress& progress) {
+FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& view, uint32_t size,
+                          unsigned threads, unsigned repeats, const Progress& progress) {
     progress("building");
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, Precision::Watertight, threads, built);
-    ShadingReport report;
-    report.threads = threads;
-    for (const char* surface : {"FixedFunction", "DiffuseShader", "Phong"})
-        report.series.push_back(
-            measureSurface(scene, surface, view, size, threads, repeats, progress));
+    scene->prepareTiles();
+    PackedRays rays;
+    rays.primary = primaryRays(view, size);
+    rays.shadow = shadowRays(view, rays.primary, scene->view(), triangles);
+    FrameReport report;
+    for (const unsigned team : {1u, threads}) {
+        if (team == threads && threads == 1 && !report.series.empty()) break;
+        for (const char* surface :
+             {"ConstantShader", "DiffuseShader", "Phong", kFixedFunctionLighting})
+            report.series.push_back(
+                measureSurface(scene, surface, rays, view, size, team, repeats, progress));
+    }
     return report;
 }
 

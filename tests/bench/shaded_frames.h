@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames with one light, shaded in every way that the library has.
+// Frames with one light, shaded in every way that the library has, beside the time that their rays
+// take alone.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +12,37 @@
 
 namespace smart::bench {
 
-/// One way to shade frames of one surface class.
-struct ShadingResult {
+/// One way to make a frame, or a part of one.
+struct FrameCost {
     std::string way;
-    double seconds = 0; ///< of processor time, for a frame: the least measured
-    bool same = true;   ///< the pixels are those of the first way
+    double seconds = 0; ///< the least measured: processor time of one thread, by the clock of more
+    bool same = true;   ///< the pixels are those of the first way that makes a picture
 };
 
-struct ShadingSeries {
+/// Frames of one surface class.
+struct FrameSeries {
     std::string surface;
-    std::size_t hits = 0;       ///< of camera rays
+    unsigned threads = 1;
+    std::size_t pixels = 0;     ///< each has one camera ray
     std::size_t shadowRays = 0; ///< of a frame
-    double raySeconds = 0;      ///< the same for making and tracing the camera rays alone
-    std::vector<ShadingResult> results;
+    /// The camera rays, and the shadow rays where there are any, made beforehand and traced by the
+    /// kernels as tiles, with nothing else done.
+    double aloneSeconds = 0;
+    std::size_t aloneShadowRays = 0;
+    double cameraSeconds = 0; ///< camera rays made and traced
+    std::vector<FrameCost> ways;
 };
 
-struct ShadingReport {
-    unsigned threads = 1;
-    std::vector<ShadingSeries> series;
+struct FrameReport {
+    std::vector<FrameSeries> series;
 
     bool allSame() const;
 };
-std::ostream& operator<<(std::ostream& out, const ShadingReport& report);
+std::ostream& operator<<(std::ostream& out, const FrameReport& report);
 
-/// All ways in turn, `repeats` times over, for several surface classes.
-ShadingReport measureFrames(const std::vector<Triangle>& triangles, const View& view,
-                            uint32_t size, unsigned threads, unsigned repeats,
-                            const Progress& progress);
+/// All ways in turn, `repeats` times over, for several surface classes, with one thread and with
+/// `threads`.
+FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& view, uint32_t size,
+                          unsigned threads, unsigned repeats, const Progress& progress);
 
 } // namespace smart::bench
