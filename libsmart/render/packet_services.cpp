@@ -320,7 +320,7 @@ void RayServices::shadeMisses(const RayGroup& rays, uint32_t lanes,
                               glm::vec4 (&colors)[kPacketSize]) {
     const ShaderObject* environment = frame_.environment.get();
     if (!environment) {
-        std::fill_n(colors, kPacketSize, frame_.clearColor);
+        forEach(lanes, [&](int i) { colors[i] = frame_.clearColor; });
         return;
     }
     const auto oneByOne = [&] {

@@ -20,9 +20,10 @@ bool ShadingServices<Shading>::shadePacket(PointPacket& packet, const HitGroup& 
         forEach(lanes, [&](int i) { *packet.sample[i] = before[i]; });
         return false;
     }
-    for (int i = 0; i < kPacketSize; ++i)
+    forEach(lanes, [&](int i) {
         group.colors[i] = {points.result[0].lane[i], points.result[1].lane[i],
                            points.result[2].lane[i], points.result[3].lane[i]};
+    });
     if (group.found)
         forEach(lanes, [&](int i) { group.found[i].describe(group.rays->hits.t[i], points, i); });
     return true;
