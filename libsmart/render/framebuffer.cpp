@@ -59,6 +59,8 @@ void storeFloats(std::byte* to, const glm::vec4* from, uint32_t pixels) {
     std::memcpy(to, row, pixels * uint32_t(Channels::kCount) * sizeof(float));
 }
 
+static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
+
 template <class Channels>
 void storeBytes(std::byte* to, const glm::vec4* from, uint32_t pixels, bool srgb) {
     for (uint32_t i = 0; i < pixels; ++i)
@@ -76,7 +78,8 @@ void store(std::byte* to, const glm::vec4* from, uint32_t pixels, PixelFormat fo
         case PixelFormat::Rgb32f:
             return storeFloats<Order<0, 1, 2, 3>>(to, from, pixels);
         case PixelFormat::Rgba32f:
-            return storeFloats<Order<0, 1, 2, 4>>(to, from, pixels);
+            std::memcpy(to, from, pixels * sizeof *from);
+            return;
         case PixelFormat::Rgb8:
             return storeBytes<Order<0, 1, 2, 3>>(to, from, pixels, srgb);
         case PixelFormat::Rgba8:

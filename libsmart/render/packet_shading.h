@@ -14,10 +14,17 @@ template <class Shading>
 bool ShadingServices<Shading>::shadePacket(PointPacket& packet, const HitGroup& group) {
     RTSpacket& points = packet.points;
     const uint32_t lanes = points.active;
-    PixelSample before[kPacketSize];
-    forEach(lanes, [&](int i) { before[i] = *packet.sample[i]; });
+    RandomStream random[kPacketSize];
+    uint32_t faults = 0;
+    forEach(lanes, [&](int i) {
+        random[i] = packet.sample[i]->random;
+        faults |= packet.sample[i]->fault ? 1u << i : 0u;
+    });
     if (Shading::template shadePacket<ShadingServices>(*packet.surface, points) != 0) {
-        forEach(lanes, [&](int i) { *packet.sample[i] = before[i]; });
+        forEach(lanes, [&](int i) {
+            packet.sample[i]->random = random[i];
+            packet.sample[i]->fault = (faults >> i & 1u) != 0;
+        });
         return false;
     }
     forEach(lanes, [&](int i) {

@@ -196,7 +196,11 @@ void TileTracer<Shading>::shadeBlock(uint32_t packet, std::size_t& misses, uint3
         pixels_.primaryRays += uint64_t(std::popcount(active));
         const uint32_t hits = group.hitLanes() & active;
         forEach(active & ~hits, [&](int i) {
-            rays_->misses[misses++] = RayNumber(p * kLanes + uint32_t(i));
+            const auto ray = RayNumber(p * kLanes + uint32_t(i));
+            if (frame_.environment)
+                rays_->misses[misses++] = ray;
+            else
+                rays_->sum[ray] += frame_.clearColor;
         });
         if (hits == 0) continue;
         const ShaderObject* surface = nullptr;
@@ -270,13 +274,10 @@ void TileTracer<Shading>::shadeMisses(const Part& part) {
 
 template <class Shading>
 void TileTracer<Shading>::finish(const Part& part, const glm::vec4 (&colors)[kPacketSize]) {
-    forEach(part.lanes, [&](int lane) {
+    forEach(part.lanes, [&](int lane) { // a bad pixel's sum is no matter
         const RayNumber ray = part.ray[lane];
-        ShadedSample shaded;
-        shaded.color = colors[lane];
-        shaded.judge(rays_->samples[ray]);
-        rays_->sum[ray] += shaded.color;
-        rays_->bad[ray] |= shaded.bad;
+        rays_->sum[ray] += colors[lane];
+        rays_->bad[ray] |= rays_->samples[ray].fault;
     });
 }
 
