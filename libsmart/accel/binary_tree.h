@@ -12,14 +12,14 @@
 
 namespace smart {
 
-/// A node of the binary tree that wide nodes are made of.
+/// A node of the binary tree that wide nodes are made of. Nothing is set before describe().
 struct BinaryNode {
     float lo[3], hi[3];
-    uint32_t first = 0; ///< references of a leaf
-    uint32_t count = 0; ///< references below it
-    uint32_t left = 0;  ///< the right child follows it; 0: this node is not divided
-    bool leaf = false;  ///< cheapest as one leaf
-    SlotShares shares{};
+    uint32_t first; ///< references of a leaf
+    uint32_t count; ///< references below it
+    uint32_t left;  ///< the right child follows it; 0: this node is not divided
+    bool leaf;      ///< cheapest as one leaf
+    SlotShares shares;
 
     void describe(const Box4& box, uint32_t firstReference, uint32_t references) {
         for (int k = 0; k < 3; ++k) {
@@ -28,6 +28,9 @@ struct BinaryNode {
         }
         first = firstReference;
         count = references;
+        left = 0;
+        leaf = false;
+        shares = {};
     }
     Box4 box() const { return Box4(Float4{lo[0], lo[1], lo[2], 0.0f}, Float4{hi[0], hi[1], hi[2], 0.0f}); }
 };
@@ -71,7 +74,7 @@ public:
 private:
     uint32_t newBlock() {
         const uint32_t block = used_.fetch_add(1, std::memory_order_relaxed);
-        blocks_[block] = std::make_unique<BinaryNode[]>(kBlockSize);
+        blocks_[block] = std::make_unique_for_overwrite<BinaryNode[]>(kBlockSize);
         return block * kBlockSize;
     }
 

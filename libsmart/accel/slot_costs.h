@@ -13,8 +13,8 @@ namespace smart {
 /// To fill n slots of a wide node at the least cost: how many of them the left child takes; 0: it is
 /// better to fill fewer. And how many where the node is made a wide node itself.
 struct SlotShares {
-    std::array<uint8_t, kWideChildren + 1> left{};
-    uint8_t own = 0;
+    std::array<uint8_t, kWideChildren + 1> left;
+    uint8_t own;
 };
 
 /// Least cost of filling up to so many slots of a wide node with a subtree.

@@ -11,6 +11,7 @@ deforming sheet costs, by the way it is made) to FOLDER. Needs nothing but Pytho
 import argparse
 import json
 import math
+import os
 import pathlib
 import sys
 
@@ -167,6 +168,11 @@ def fill(text, name, content):
     return before + begin + "\n" + content + "\n\n" + end + after
 
 
+def shown(words, picture, options):
+    folder = os.path.relpath(options.out, options.page.parent)
+    return f"\n\n![{words}]({pathlib.Path(folder, picture).as_posix()})"
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--dynamic", type=pathlib.Path)
@@ -179,11 +185,13 @@ def main():
     if options.dynamic:
         report = json.loads(options.dynamic.read_text(encoding="utf-8"))
         if moving(report):
-            text = fill(text, "instances", instance_table(report))
+            text = fill(text, "instances", instance_table(report) + shown(
+                "Time of a step against the number of instances", "instances.svg", options))
             text = fill(text, "frames", frame_table(report))
             instances_picture(report, options.out)
         if any(s["scene"] == "sheet" for s in report.get("series", [])):
-            text = fill(text, "sheet", sheet_table(report))
+            text = fill(text, "sheet", sheet_table(report) + shown(
+                "What an update of a sheet costs", "sheet.svg", options))
             sheet_picture(report, options.out)
         if "queue" in report:
             text = fill(text, "queue", queue_table(report))

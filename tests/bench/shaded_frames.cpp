@@ -279,7 +279,7 @@ FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& vi
     scene->prepareTiles();
     PackedRays rays;
     rays.primary = primaryRays(view, size);
-    rays.shadow = shadowRays(view, rays.primary, scene->view(), triangles);
+    rays.shadow = shadowRays(view, surfacePoints(rays.primary, scene->view(), triangles));
     FrameReport report;
     for (const unsigned team : {1u, threads}) {
         if (team == threads && threads == 1 && !report.series.empty()) break;

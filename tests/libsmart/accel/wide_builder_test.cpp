@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(All, WideBuilder,
                          ::testing::Values(Builder{"Binned", buildWideTree},
                                            Builder{"Fast", buildWideTreeFast},
                                            Builder{"Spatial", buildCut}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& of) { return of.param.name; });
 
 TEST(WideTreeSpatial, CutsWhatOverlapsWithinItsBudget) {
     const std::vector<Triangle> triangles = mixedTriangles(6000, 21);
