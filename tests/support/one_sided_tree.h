@@ -21,8 +21,8 @@ struct OneSidedTree {
 
     explicit OneSidedTree(const Scene& source) : scene(source.view()) {
         const Model& whole = *source.group().instances()[0].model;
-        nodes = whole.tree.nodes;
-        prims = whole.tree.prims;
+        nodes = whole.kdTree().nodes;
+        prims = whole.kdTree().prims;
         std::vector<uint8_t> seen(whole.triangles.size());
         for (KdNode& node : nodes) {
             if ((node.bits & 3) != kKdLeaf) continue;

@@ -29,7 +29,8 @@ void* operator new(std::size_t size) {
     ++gHeld;
     return memory;
 }
-void operator delete(void* memory) noexcept {
+// Not inlined: g++ would take the call of free for one that does not fit to new.
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     if (memory) --gHeld;
     std::free(memory);
 }

@@ -58,10 +58,10 @@ void expectNoAcneAndNoLeak(const std::vector<Triangle>& mesh, const char* name) 
     const auto outward = raysOffSurface(mesh, 1, count), inward = raysOffSurface(mesh, -1, count);
     for (const Precision precision : {Precision::Watertight, Precision::Precise}) {
         std::size_t shadowed = 0, escaped = 0;
-        for (const Hit& hit : traceAllWays(scene, outward, precision)) {
+        for (const Hit& hit : traceAllWays(scene.view(), outward, precision)) {
             shadowed += hit.triangle != kNoHit;
         }
-        for (const Hit& hit : traceAllWays(scene, inward, precision)) {
+        for (const Hit& hit : traceAllWays(scene.view(), inward, precision)) {
             escaped += hit.triangle == kNoHit;
         }
         EXPECT_EQ(shadowed, 0u) << "of " << count << " in mode " << int(precision);
