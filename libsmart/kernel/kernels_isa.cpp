@@ -277,8 +277,8 @@ template <template <int> class Precision>
 void intersectStream(const ModelView& scene, const RayPacket* packets, uint32_t count,
                      HitPacket* hits) {
     if constexpr (!kIsPrecise<Precision>) {
-        if (isStreamable(scene)) {
-            runStream<Precision, HitMode::Closest>(scene, packets, count, hits, nullptr);
+        if (const ModelView* const model = streamedModel(scene)) {
+            runStream<Precision, HitMode::Closest>(scene, *model, packets, count, hits, nullptr);
             for (uint32_t p = 0; p < count; ++p) {
                 const RayArrays in(packets[p]);
                 refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, hits[p].triangle,
@@ -302,8 +302,8 @@ template <template <int> class Precision>
 void occludedStream(const ModelView& scene, const RayPacket* packets, uint32_t count,
                     uint32_t* blocked) {
     if constexpr (!kIsPrecise<Precision>) {
-        if (isStreamable(scene)) {
-            runStream<Precision, HitMode::Any>(scene, packets, count, nullptr, blocked);
+        if (const ModelView* const model = streamedModel(scene)) {
+            runStream<Precision, HitMode::Any>(scene, *model, packets, count, nullptr, blocked);
             return;
         }
     }

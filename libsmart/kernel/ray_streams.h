@@ -72,20 +72,22 @@ private:
     uint32_t next_ = 0;
 };
 
-/// Whether rays can take turns in a scene: they meet one model only, which has a tree for it.
-inline bool isStreamable(const ModelView& scene) {
-    if (scene.childCount != 1) return false;
-    const ModelView* const model = scene.children[0].model;
-    return model && !model->childCount && (scene.wideReady || !model->tree.nodes) &&
-           model->wide.nodes;
+/// The model in which the rays of a scene can take turns; nullptr where they meet several, or one
+/// with children or without a tree for it.
+inline const ModelView* streamedModel(const ModelView& scene) {
+    if (scene.childCount != 1 || !scene.children[0].model) return nullptr;
+    const ModelView& model = reached(scene.children[0]);
+    const bool walksWide = (scene.wideReady || !model.tree.nodes) && model.wide.nodes;
+    return model.childCount == 0 && walksWide ? &model : nullptr;
 }
 
-/// Finds which triangles are hit, or fills `blocked`, in a scene that is streamable.
+/// Finds which triangles of the streamed model are hit, or fills `blocked`.
 template <template <int> class Precision, HitMode M>
-[[gnu::noinline]] void runStream(const ModelView& scene, const RayPacket* packets, uint32_t count,
-                                 HitPacket* hits, uint32_t* blocked) {
+[[gnu::noinline]] void runStream(const ModelView& scene, const ModelView& model,
+                                 const RayPacket* packets, uint32_t count, HitPacket* hits,
+                                 uint32_t* blocked) {
     StreamHits<M> source(scene, packets, count, hits, blocked);
-    RaysInFlight<Precision, M, StreamHits<M>> flights(*scene.children[0].model, source);
+    RaysInFlight<Precision, M, StreamHits<M>> flights(model, source);
     flights.run();
 }
 
