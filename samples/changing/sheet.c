@@ -30,8 +30,9 @@ static double rowZ(long row) {
 
 /* Balls that lift the sheet, and a ripple that goes through it. */
 static double heightAt(double x, double z, double time, double balls[kBalls][3]) {
-    double height = 0.06 * sin(2.1 * x - 1.7 * z - 3 * time) + 0.04 * sin(3.3 * z + 1.4 * x + 2 * time);
+    double height = 0.06 * sin(2.1 * x - 1.7 * z - 3 * time);
     int i;
+    height += 0.04 * sin(3.3 * z + 1.4 * x + 2 * time);
     for (i = 0; i < kBalls; ++i) {
         const double dx = x - balls[i][0], dz = z - balls[i][1], size = balls[i][2];
         const double far = (dx * dx + dz * dz) / (size * size);

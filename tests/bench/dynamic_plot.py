@@ -79,7 +79,8 @@ def queue_table(report):
     q = report["queue"]
     system = (q["processor"] + q["ready"]) / (q["busy"] + q["idle"])
     return table(["figure", "value"], [
-        ["threads idle between tiles and frames", f"{100 * q['idle'] / (q['idle'] + q['busy']):.2f} %"],
+        ["threads idle between tiles and frames",
+         f"{100 * q['idle'] / (q['idle'] + q['busy']):.2f} %"],
         ["time on or ready for a processor by the system, to busy and idle by the library",
          f"{100 * system:.1f} %"],
         ["a cancelled frame ends after, median", f"{1e3 * q['cancel']:.2f} ms"],

@@ -69,7 +69,8 @@ DynamicStep DynamicScene::step(unsigned number) const {
         const double angle = 2 * kPi * chance(i, 1) + time * (chance(i, 2) - 0.5);
         const double size = cell * (0.5 + 0.15 * chance(i, 3));
         const float c = float(size * std::cos(angle)), s = float(size * std::sin(angle));
-        step.matrices.push_back({c, 0, -s, 0, float(size), 0, s, 0, c, float(x), float(y), float(z)});
+        step.matrices.push_back(
+            {c, 0, -s, 0, float(size), 0, s, 0, c, float(x), float(y), float(z)});
     }
     return step;
 }
