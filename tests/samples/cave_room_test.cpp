@@ -27,13 +27,13 @@ TEST(CaveRoom, WallsMeetAtTheirEdgesAndFaceTheMiddle) {
     expectNear(left.lowerLeft, floor.lowerLeft);
     expectNear(right.lowerRight, floor.lowerRight);
     for (const CaveWall& wall : walls) {
-        const glm::dvec3 right = wall.lowerRight - wall.lowerLeft;
+        const glm::dvec3 across = wall.lowerRight - wall.lowerLeft;
         const glm::dvec3 up = wall.upperLeft - wall.lowerLeft;
-        EXPECT_DOUBLE_EQ(glm::length(right), 3);
+        EXPECT_DOUBLE_EQ(glm::length(across), 3);
         EXPECT_DOUBLE_EQ(glm::length(up), 3);
-        EXPECT_DOUBLE_EQ(glm::dot(right, up), 0);
-        const glm::dvec3 inwards = glm::dvec3(0, 1.5, 0) - (wall.lowerLeft + (right + up) * 0.5);
-        EXPECT_GT(glm::dot(glm::cross(right, up), inwards), 0) << wall.name;
+        EXPECT_DOUBLE_EQ(glm::dot(across, up), 0);
+        const glm::dvec3 inwards = glm::dvec3(0, 1.5, 0) - (wall.lowerLeft + (across + up) * 0.5);
+        EXPECT_GT(glm::dot(glm::cross(across, up), inwards), 0) << wall.name;
     }
 }
 
