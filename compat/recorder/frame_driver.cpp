@@ -55,7 +55,8 @@ QueuedFramePtr FrameDriver::submit(const std::shared_ptr<Frame>& frame, uint32_t
         throw Error(ErrorCode::OutOfMemory, "no frame id is left");
     if (id) *id = number;
     sceneStatistics_ = sceneStatistics;
-    last_ = frame;
+    last_ = target;
+    viewed_ = frame->camera ? frame : nullptr;
     renderer_.submit(queued);
     return queued;
 }
@@ -129,10 +130,9 @@ Picture FrameDriver::finishedPicture(bool depth) {
     PixelTarget target = own ? ownTarget() : applicationTarget();
     keepsDepth_ |= depth;
     if (keepsDepth_) target = withDepth(target);
-    const PixelTarget before = last_ ? last_->target : PixelTarget();
-    const bool shown = before.memory == target.memory && before.width == target.width &&
-                       before.height == target.height;
-    const bool hasDepth = shown && before.aux.depth == target.aux.depth && before.aux.depth;
+    const bool shown = last_.memory == target.memory && last_.width == target.width &&
+                       last_.height == target.height;
+    const bool hasDepth = shown && last_.aux.depth == target.aux.depth && last_.aux.depth;
     const bool empty = recorder_.sceneIsEmpty();
     if (recorder_.sceneHasNews() || (!empty && (!shown || (depth && !hasDepth))) ||
         (own && !shown)) {
@@ -151,9 +151,10 @@ Picture FrameDriver::finishedPicture(bool depth) {
 }
 
 uint32_t FrameDriver::queueView() {
-    if (!last_) throw Error(ErrorCode::InvalidOperation, "no frame was queued before");
+    if (!viewed_)
+        throw Error(ErrorCode::InvalidOperation, "there is no frame before that a camera took");
     uint32_t id = 0;
-    submit(recorder_.makeView(*last_, applicationTarget()), &id);
+    submit(recorder_.makeView(*viewed_, applicationTarget()), &id);
     return id;
 }
 

@@ -69,7 +69,9 @@ private:
     std::shared_ptr<std::vector<uint32_t>> ownPixels_;
     std::shared_ptr<std::vector<float>> ownDepth_;
     bool keepsDepth_ = false;
-    std::shared_ptr<const Frame> last_; ///< submitted; nullptr before the first
+    PixelTarget last_; ///< of the frame submitted last
+    /// That frame where queueView() may ask for it: where a camera shader took it.
+    std::shared_ptr<const Frame> viewed_;
     SceneStatistics sceneStatistics_;
     RenderStatistics frameStatistics_;
 };

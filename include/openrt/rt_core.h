@@ -13,7 +13,9 @@ extern "C" {
  * with frames in flight, with rtExit or without. The child of a fork may call exec or end, on any
  * way too; whatever else it asks of the library has no effect, and rtGetError answers
  * RT_INVALID_OPERATION. Floating-point state, signal mask and handlers, locale and thread affinity
- * of the application are left as they are; signals are never delivered to the library's threads. */
+ * of the application are left as they are; signals are never delivered to the library's threads.
+ * Only a process that ends by the end of its last thread, after pthread_exit in main, has to call
+ * rtExit before: the library's threads count too. */
 
 /* Makes a fresh default context and makes it current on the calling thread. A second call ends
  * the default context of the first. Both pointers may be NULL; otherwise the arguments below are

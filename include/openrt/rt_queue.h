@@ -27,7 +27,7 @@
  * thread, with a context or without; errors are recorded if the thread has one. An id stays known
  * after the frame's and the context's end, until rtExit. A frame that has ended holds no memory
  * but for a small record, of the newest 256 frames; the scene of a context's last frame stays for
- * rtQueueView.
+ * rtQueueView if a camera in use took it.
  */
 #ifndef OPENRT_RT_QUEUE_H
 #define OPENRT_RT_QUEUE_H
@@ -72,9 +72,10 @@ RTAPI RTuint RTAPIENTRY rtQueueFrame(void);
  * then, seen by the camera that the bound scene uses now (rtUseCamera, rtuCameraFromWall ...), in
  * the frame buffer, viewport and scissor of now; returns the frame's id. Uses the camera up; all
  * else that the bound scene was given waits for its next frame. All walls of a room and both eyes
- * show the same moment this way, and its trees are built once. Not in an object.
- * Errors:  RT_INVALID_OPERATION  no camera is in use; no frame before; no frame buffer, or a stride
- *                                that holds no row
+ * show the same moment this way, and its trees are built once. The first view, too, has to be
+ * taken by a camera of its own: a frame seen by the projection matrix is not kept. Not in an object.
+ * Errors:  RT_INVALID_OPERATION  no camera is in use; no frame before, or one without a camera; no
+ *                                frame buffer, or a stride that holds no row
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtQueueView(void);
 

@@ -148,8 +148,8 @@ static void testErrors(void) {
     rtGetError();
     rtBegin(RT_TRIANGLES);
     CHECK(rtQueueView() == RT_INVALID);
-    CHECK_ERROR(RT_INVALID_OPERATION);
     rtEnd();
+    CHECK_ERROR(RT_INVALID_OPERATION);
     rtNewObject(RT_DEFINE);
     CHECK(rtQueueView() == RT_INVALID);
     CHECK_ERROR(RT_INVALID_OPERATION);
@@ -157,6 +157,11 @@ static void testErrors(void) {
     target(&view);
     CHECK(rtWaitFrame(rtQueueView())); /* the camera is still there */
     CHECK_ERROR(RT_NO_ERROR);
+    describe(0, object);
+    rtRender(); /* seen by the projection matrix: not kept */
+    look(0);
+    CHECK(rtQueueView() == RT_INVALID);
+    CHECK_ERROR(RT_INVALID_OPERATION);
     rtExit();
 }
 

@@ -43,10 +43,6 @@ static void *leaveThread(void *unused) {
     startFrames();
     return unused; /* its context stays, current nowhere */
 }
-static void *onlyWaits(void *unused) {
-    sleep(1);
-    return unused;
-}
 static void exitInCallback(RTuint frame, RTenum event, RTint x, RTint y, RTsizei w, RTsizei h,
                            void *user) {
     (void)frame, (void)event, (void)x, (void)y, (void)w, (void)h, (void)user;
@@ -140,11 +136,6 @@ int main(int argc, char *argv[]) {
         rtFinish();
         pthread_join(thread, NULL);
         return 1;
-    }
-    if (strcmp(way, "main-thread-ends") == 0) {
-        pthread_create(&thread, NULL, onlyWaits, NULL);
-        pthread_detach(thread);
-        pthread_exit(NULL);
     }
     if (strcmp(way, "exec") == 0) execlp("true", "true", (char *)NULL);
     if (strcmp(way, "signal") == 0) {
