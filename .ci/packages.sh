@@ -5,7 +5,7 @@ packages=(
     libglm-dev libhwy-dev                             # the library
     libtinygltf-dev nlohmann-json3-dev libassimp-dev  # scenes, in the programs
     libstb-dev libpng-dev libopenexr-dev libcli11-dev # images and command lines, in the programs
-    libglfw3-dev libgl-dev                            # the viewer
+    libglfw3-dev libgl-dev libopenxr-dev              # the viewers
     libgtest-dev libgmp-dev                           # the tests; exact arithmetic as the truth
     python3-cffi python3-numpy python3-pytest         # the Python module and its tests
     libembree-dev                                     # the benchmark's yardstick
