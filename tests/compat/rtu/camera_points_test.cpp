@@ -21,7 +21,10 @@ using Projection = std::function<Window(const glm::dvec3&)>;
 
 struct ShowPosition {
     void registerParams(const openrt::ShaderRegistrator&) const {}
-    void shade(openrt::TraceContext& c) const { c.setRadiance(openrt::Color(c.position())); }
+    void shade(openrt::TraceContext& c) const {
+        const openrt::Vec3 p = c.position();
+        c.setRadiance(openrt::Color(p.x, p.y, p.z));
+    }
 };
 
 /// x and y of the cube from -1 to 1, in pixels.
