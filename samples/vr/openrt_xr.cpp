@@ -13,7 +13,7 @@
 #include "samples/tools/picture_window.h"
 #include "samples/tools/scene_options.h"
 #include "samples/vr/cave_room.h"
-#include "samples/vr/xr_session.h"
+#include "samples/vr/headset_session.h"
 
 namespace {
 
@@ -22,7 +22,7 @@ struct XrOptions : samples::SceneOptions {
 } options;
 
 /// The eye in the scene: its pose in the room, at the scene's scale.
-glm::dmat4 poseIn(const samples::CavePlace& place, const samples::XrEye& eye) {
+glm::dmat4 poseIn(const samples::CavePlace& place, const samples::HeadsetEye& eye) {
     const glm::dvec3 origin = place.toScene(eye.position);
     glm::dmat4 pose(1);
     for (int axis = 0; axis < 3; ++axis) {
@@ -37,12 +37,12 @@ glm::dmat4 poseIn(const samples::CavePlace& place, const samples::XrEye& eye) {
 
 /// The first eye's frame freezes the scene, the other's shows it again.
 void render(const samples::RtScene& scene, const samples::CavePlace& place,
-            const std::vector<samples::XrEye>& eyes, samples::PictureSize size,
+            const std::vector<samples::HeadsetEye>& eyes, samples::PictureSize size,
             std::vector<std::vector<uint8_t>>& pictures) {
     std::vector<RTuint> frames;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         rtSetFrameBuffer(pictures[i].data(), size.width, size.height, RT_RGBA_8);
-        const samples::XrEye& eye = eyes[i];
+        const samples::HeadsetEye& eye = eyes[i];
         rtuCameraFromFov(glm::value_ptr(poseIn(place, eye)), eye.left, eye.right, eye.up,
                          eye.down);
         if (frames.empty()) scene.describeWorld();
@@ -59,7 +59,7 @@ int run() {
     if (!(options.scale > 0)) throw std::runtime_error("--scale is above 0");
     samples::Display display;
     samples::PictureWindow window(display, {320, 240}, "openrt-xr"); // its OpenGL is the runtime's
-    samples::XrSession session("openrt-xr");
+    samples::HeadsetSession session("openrt-xr");
 
     rtInit(nullptr, nullptr);
     samples::applySettings(options);
@@ -79,7 +79,7 @@ int run() {
     while (!window.wantsToClose() && session.poll()) {
         samples::Display::poll();
         if (!session.running()) continue;
-        const std::vector<samples::XrEye> eyes = session.beginFrame();
+        const std::vector<samples::HeadsetEye> eyes = session.beginFrame();
         if (!eyes.empty()) render(scene, place, eyes, size, pictures);
         session.endFrame(eyes, pictures);
         if (++moments == options.frames) break;

@@ -14,7 +14,7 @@ namespace samples {
 
 /// An eye as the runtime predicts it: in metres from the middle of the room's floor, and the
 /// angles of its field of view in radians, left and down negative.
-struct XrEye {
+struct HeadsetEye {
     glm::dvec3 position{0.0};
     glm::dquat orientation{1, 0, 0, 0};
     double left = 0, right = 0, up = 0, down = 0;
@@ -22,11 +22,11 @@ struct XrEye {
 
 /// An OpenXR session with a head-mounted display (OpenXR 1.0, The Khronos Group, 2019) that shows
 /// pictures of the OpenGL context which is current when it is made.
-class XrSession {
+class HeadsetSession {
 public:
     /// Throws std::runtime_error with what is missing: a runtime, OpenGL in it, a display.
-    explicit XrSession(const std::string& application);
-    ~XrSession();
+    explicit HeadsetSession(const std::string& application);
+    ~HeadsetSession();
 
     /// As many as the display shows, with the size that the runtime recommends.
     std::size_t eyes() const;
@@ -37,9 +37,9 @@ public:
     /// Whether frames are wanted now.
     bool running() const;
     /// Waits for the next moment; the eyes then, or none if it will not be seen.
-    std::vector<XrEye> beginFrame();
+    std::vector<HeadsetEye> beginFrame();
     /// Shows RGBA pictures, rows from the bottom, seen by these eyes; none: nothing.
-    void endFrame(const std::vector<XrEye>& eyes,
+    void endFrame(const std::vector<HeadsetEye>& eyes,
                   const std::vector<std::vector<uint8_t>>& pictures);
 
 private:

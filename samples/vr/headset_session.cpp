@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "samples/vr/xr_session.h"
+#include "samples/vr/headset_session.h"
 
 #include <GL/gl.h>
 #include <GL/glx.h>
@@ -36,7 +36,7 @@ Structure make(XrStructureType type) {
 
 } // namespace
 
-struct XrSession::State {
+struct HeadsetSession::State {
     struct Swapchain {
         XrSwapchain handle = XR_NULL_HANDLE;
         std::vector<XrSwapchainImageOpenGLKHR> images;
@@ -110,12 +110,13 @@ struct XrSession::State {
         uint32_t count = 0;
         check(xrEnumerateViewConfigurationViews(instance, system, kStereo, 0, &count, nullptr),
               "asking for the display's eyes");
-        std::vector<XrViewConfigurationView> views(
+        std::vector<XrViewConfigurationView> recommended(
             count, make<XrViewConfigurationView>(XR_TYPE_VIEW_CONFIGURATION_VIEW));
         check(xrEnumerateViewConfigurationViews(instance, system, kStereo, count, &count,
-                                                views.data()),
+                                                recommended.data()),
               "asking for the display's eyes");
-        size = {views.at(0).recommendedImageRectWidth, views.at(0).recommendedImageRectHeight};
+        size = {recommended.at(0).recommendedImageRectWidth,
+                recommended.at(0).recommendedImageRectHeight};
         for (uint32_t i = 0; i < count; ++i) makeSwapchain();
     }
 
@@ -183,18 +184,18 @@ struct XrSession::State {
     std::vector<XrView> views; ///< of this moment
 };
 
-XrSession::XrSession(const std::string& application) : state_(std::make_unique<State>()) {
+HeadsetSession::HeadsetSession(const std::string& application) : state_(std::make_unique<State>()) {
     state_->makeInstance(application);
     state_->makeSession();
 }
 
-XrSession::~XrSession() = default;
+HeadsetSession::~HeadsetSession() = default;
 
-std::size_t XrSession::eyes() const { return state_->swapchains.size(); }
-PictureSize XrSession::pictureSize() const { return state_->size; }
-bool XrSession::running() const { return state_->running; }
+std::size_t HeadsetSession::eyes() const { return state_->swapchains.size(); }
+PictureSize HeadsetSession::pictureSize() const { return state_->size; }
+bool HeadsetSession::running() const { return state_->running; }
 
-bool XrSession::poll() {
+bool HeadsetSession::poll() {
     auto event = make<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
     while (xrPollEvent(state_->instance, &event) == XR_SUCCESS) {
         if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) state_->over = true;
@@ -208,7 +209,7 @@ bool XrSession::poll() {
     return !state_->over;
 }
 
-std::vector<XrEye> XrSession::beginFrame() {
+std::vector<HeadsetEye> HeadsetSession::beginFrame() {
     const auto wait = make<XrFrameWaitInfo>(XR_TYPE_FRAME_WAIT_INFO);
     auto frame = make<XrFrameState>(XR_TYPE_FRAME_STATE);
     check(xrWaitFrame(state_->session, &wait, &frame), "waiting for the next moment");
@@ -229,10 +230,10 @@ std::vector<XrEye> XrSession::beginFrame() {
     constexpr XrViewStateFlags kKnown =
         XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_VALID_BIT;
     if ((located.viewStateFlags & kKnown) != kKnown) return {};
-    std::vector<XrEye> seen;
+    std::vector<HeadsetEye> seen;
     for (const XrView& view : state_->views) {
         const XrPosef& pose = view.pose;
-        XrEye& eye = seen.emplace_back();
+        HeadsetEye& eye = seen.emplace_back();
         eye.position = {pose.position.x, pose.position.y, pose.position.z};
         eye.orientation = glm::dquat(pose.orientation.w, pose.orientation.x, pose.orientation.y,
                                      pose.orientation.z);
@@ -244,7 +245,7 @@ std::vector<XrEye> XrSession::beginFrame() {
     return seen;
 }
 
-void XrSession::endFrame(const std::vector<XrEye>& eyes,
+void HeadsetSession::endFrame(const std::vector<HeadsetEye>& eyes,
                          const std::vector<std::vector<uint8_t>>& pictures) {
     std::vector<XrCompositionLayerProjectionView> shown;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
