@@ -21,23 +21,25 @@ bool isInvertible(const AffineColumns& matrix);
 /// nothing in between overflows or is subnormal.
 bool isUsual(const AffineColumns& matrix);
 
-/// Cofactors over the determinant.
+/// Cofactors over the determinant. Each row of the inverse has the cross product of two columns.
 static inline void invertUsual(const AffineColumns& m, AffineRows& inverse) {
-    double cofactor[3][3];
+    using Real4 = double __attribute__((vector_size(32)));
+    Real4 column[3]; // with the next number as the fourth
+    for (int i = 0; i < 3; ++i) __builtin_memcpy(&column[i], &m[0][0] + 3 * i, sizeof column[i]);
+    Real4 cofactor[3];
     for (int row = 0; row < 3; ++row) {
-        const double* const a = m[(row + 1) % 3];
-        const double* const b = m[(row + 2) % 3];
-        cofactor[row][0] = a[1] * b[2] - b[1] * a[2];
-        cofactor[row][1] = a[2] * b[0] - b[2] * a[0];
-        cofactor[row][2] = a[0] * b[1] - b[0] * a[1];
+        const Real4 a = column[(row + 1) % 3], b = column[(row + 2) % 3];
+        cofactor[row] = __builtin_shufflevector(a, a, 1, 2, 0, 3) *
+                            __builtin_shufflevector(b, b, 2, 0, 1, 3) -
+                        __builtin_shufflevector(b, b, 1, 2, 0, 3) *
+                            __builtin_shufflevector(a, a, 2, 0, 1, 3);
     }
     const double determinant =
         m[0][0] * cofactor[0][0] + m[1][0] * cofactor[1][0] + m[2][0] * cofactor[2][0];
     for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column)
-            inverse[row][column] = cofactor[row][column] / determinant;
-        inverse[row][3] = -(inverse[row][0] * m[3][0] + inverse[row][1] * m[3][1] +
-                            inverse[row][2] * m[3][2]);
+        const Real4 entries = cofactor[row] / determinant;
+        __builtin_memcpy(inverse[row], &entries, sizeof entries);
+        inverse[row][3] = -(entries[0] * m[3][0] + entries[1] * m[3][1] + entries[2] * m[3][2]);
     }
 }
 
