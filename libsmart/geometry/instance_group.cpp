@@ -16,6 +16,8 @@ namespace smart {
 namespace {
 
 constexpr std::size_t kInstancesOfPart = 2048;
+/// Fewer are looked at in less time than it takes to start a thread and to wait for it.
+constexpr std::size_t kInstancesForThreads = 32768;
 
 float roundedDown(double value) {
     constexpr double kMax = std::numeric_limits<float>::max();
@@ -83,7 +85,8 @@ InstanceGroup::InstanceGroup(InstanceList instances, unsigned threads)
         uint32_t dropped = 0;
     };
     std::vector<Found> found((views.size() + kInstancesOfPart - 1) / kInstancesOfPart);
-    BuildCrew(threads).forEach(found.size(), [&](std::size_t part) {
+    const unsigned helping = views.size() < kInstancesForThreads ? 1 : threads;
+    BuildCrew(helping).forEach(found.size(), [&](std::size_t part) {
         const std::size_t begin = part * kInstancesOfPart;
         const std::size_t end = std::min(begin + kInstancesOfPart, views.size());
         for (std::size_t i = begin; i < end; ++i) {
