@@ -27,6 +27,11 @@ void query(const char* function, Body&& body) noexcept {
     }
 }
 
+/// To the context of the calling thread: nothing is shared between threads.
+void countRays(RTsizei count) noexcept {
+    if (Context* context = currentContext()) context->recorder().countQueryRays(uint64_t(count));
+}
+
 ScenePtr checked(RTuint handle, const void* rays, const void* out, RTsizei count) {
     ScenePtr scene = findQueryScene(handle);
     if (!scene) throwError(ErrorCode::InvalidValue, "no compiled scene has this handle");
@@ -82,6 +87,7 @@ RTAPI void RTAPIENTRY rtIntersect(RTuint handle, const RTray* rays, RThit* hits,
                             {&hits->normal[0], &hits->normal[1], &hits->normal[2]},
                             &hits->flags,    kHitWords};
         intersect(*scene, streamOf(rays), out, std::size_t(count), how);
+        countRays(count);
     });
 }
 
@@ -96,6 +102,7 @@ RTAPI void RTAPIENTRY rtIntersectStream(RTuint handle, const RTraystream* rays, 
                             {hits->nx, hits->ny, hits->nz},
                             nullptr};
         intersect(*scene, streamOf(*rays), out, std::size_t(count), how);
+        countRays(count);
     });
 }
 
@@ -106,6 +113,7 @@ RTAPI void RTAPIENTRY rtOccluded(RTuint handle, const RTray* rays, RTubyte* bloc
         const ScenePtr scene = checked(handle, rays, blocked, count);
         if (count == 0) return;
         occluded(*scene, streamOf(rays), blocked, std::size_t(count), how);
+        countRays(count);
     });
 }
 
@@ -116,5 +124,6 @@ RTAPI void RTAPIENTRY rtOccludedStream(RTuint handle, const RTraystream* rays, R
         const ScenePtr scene = checked(handle, rays, blocked, count);
         if (count == 0) return;
         occluded(*scene, streamOf(*rays), blocked, std::size_t(count), how);
+        countRays(count);
     });
 }

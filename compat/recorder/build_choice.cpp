@@ -4,7 +4,7 @@
 namespace smart::compat {
 namespace {
 
-/// From so many camera rays a triangle on, the better tree pays: building it takes some 0.4
+/// From so many rays a triangle on, the better tree pays: building it takes some 0.4
 /// microseconds a triangle longer, while few rays are more than 0.05 slower through the fast one.
 constexpr uint64_t kRaysOfTriangle = 8;
 

@@ -43,6 +43,16 @@ QueuedFramePtr FrameDriver::submit(const PixelTarget& target, uint32_t* id) {
                   id);
 }
 
+void FrameDriver::waitedFor(const QueuedFrame& frame) {
+    frameStatistics_ = frame.statistics();
+    countRays();
+}
+
+void FrameDriver::countRays() {
+    const RenderStatistics ended = renderer_.statistics();
+    recorder_.setFrameRays(ended.shadowRays + ended.secondaryRays);
+}
+
 // Everything that may fail comes first; a listener may hear of the frame before this returns.
 QueuedFramePtr FrameDriver::submit(const std::shared_ptr<Frame>& frame, uint32_t* id) {
     const PixelTarget& target = frame->target;
@@ -58,6 +68,7 @@ QueuedFramePtr FrameDriver::submit(const std::shared_ptr<Frame>& frame, uint32_t
     last_ = target;
     viewed_ = frame->camera ? frame : nullptr;
     renderer_.submit(queued);
+    countRays();
     return queued;
 }
 

@@ -33,7 +33,7 @@ public:
     /// Queues what the frame before shows, seen by the camera in use now; the frame's id.
     uint32_t queueView();
     /// A frame was waited for: from now on the statistics are its own.
-    void waitedFor(const QueuedFrame& frame) { frameStatistics_ = frame.statistics(); }
+    void waitedFor(const QueuedFrame& frame);
 
     /// How many frames may be incomplete; 2 at the start.
     void setDepth(unsigned depth) { renderer_.setDepth(depth); }
@@ -55,6 +55,7 @@ private:
     QueuedFramePtr submit(const PixelTarget& target, uint32_t* id = nullptr);
     /// `id`: where the frame's goes; without it there need be none.
     QueuedFramePtr submit(const std::shared_ptr<Frame>& frame, uint32_t* id);
+    void countRays();
     /// Where frames go: the application's memory, or for readers the library's own.
     const PixelTarget& applicationTarget() const;
     PixelTarget ownTarget();

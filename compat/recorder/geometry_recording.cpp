@@ -231,7 +231,7 @@ void GeometryRecording::addImage(std::shared_ptr<const WindowImage> image) {
 void GeometryRecording::addChild(Instance child, uint32_t childLevels,
                                  const std::vector<UsedShader>& shaders) {
     makeRoom(usedShaders_, shaders.size());
-    builder_.children.push_back(std::move(child));
+    builder_.children.add(std::move(child));
     levels_ = std::max(levels_, childLevels + 1);
     for (const UsedShader& shader : shaders)
         if (!uses(usedShaders_, shader.index)) usedShaders_.push_back(shader);

@@ -32,11 +32,11 @@ bool forgetEverything(const std::vector<BufferClear>& clears) {
     return depth && std::all_of(std::begin(color), std::end(color), [](bool c) { return c; });
 }
 
-bool takesLastOfEqual(const std::vector<Instance>& instances) {
+bool takesLastOfEqual(const InstanceList& instances) {
     return !instances.empty() &&
-           std::all_of(instances.begin(), instances.end(), [](const Instance& instance) {
-               return instance.state &&
-                      instance.state->ops.depthFunction == CompareFunction::LessEqual;
+           std::ranges::all_of(instances.traits(), [](const InstanceList::Traits& traits) {
+               return traits->state &&
+                      traits->state->ops.depthFunction == CompareFunction::LessEqual;
            });
 }
 

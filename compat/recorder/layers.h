@@ -24,7 +24,7 @@ struct LayerView {
 /// A layer that nothing is added to any more.
 struct FinishedLayer {
     LayerView view;
-    std::vector<Instance> instances;
+    InstanceList instances;
     std::vector<BufferClear> clears; ///< before its primitives
 };
 
@@ -34,7 +34,7 @@ bool coversAll(const BufferClear& clear, const BufferClear& other);
 bool forgetEverything(const std::vector<BufferClear>& clears);
 
 /// Whether all state blocks of a layer take the last of equal depths (RT_LEQUAL).
-bool takesLastOfEqual(const std::vector<Instance>& instances);
+bool takesLastOfEqual(const InstanceList& instances);
 
 /// Makes the lowest layer's clears of the whole picture part of what the picture starts from.
 void startFrom(std::vector<BufferClear>& clears, const PixelTarget& target, Frame& frame);

@@ -29,10 +29,10 @@ ModelPtr ModelCompiler::update(const Model& old, uint32_t first, uint32_t count,
         quality, lazy);
 }
 
-ScenePtr ModelCompiler::makeScene(std::vector<Instance> instances, Precision precision,
+ScenePtr ModelCompiler::makeScene(InstanceList instances, Precision precision,
                                   bool lastOfEqual) {
     struct CountedScene {
-        CountedScene(std::shared_ptr<MemoryCounter> counter, std::vector<Instance> all,
+        CountedScene(std::shared_ptr<MemoryCounter> counter, InstanceList all,
                      Precision exactness, unsigned threads, bool last)
             : scene(std::move(all), exactness, threads, last),
               bytes(std::move(counter), sizeof(Scene) + scene.group().bytes()) {}

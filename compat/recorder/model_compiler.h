@@ -18,7 +18,7 @@ public:
     ModelPtr update(const Model& old, uint32_t first, uint32_t count, const float* positions,
                     BuildQuality quality, bool lazy);
     /// lastOfEqual: as Scene has it.
-    ScenePtr makeScene(std::vector<Instance> instances, Precision precision,
+    ScenePtr makeScene(InstanceList instances, Precision precision,
                        bool lastOfEqual = false);
 
     void setThreads(unsigned threads) { threads_ = threads; }

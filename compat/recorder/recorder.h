@@ -88,6 +88,14 @@ public:
     void restoreAttributes(const Attributes& attributes);
     const ModelCompiler& compiler() const { return compiler_; }
     void setBuildThreads(unsigned threads) { compiler_.setThreads(threads); }
+    // Rays, by which the library chooses among builders.
+    /// So many were asked for outside of frames.
+    void countQueryRays(uint64_t rays) noexcept { queryRays_ += rays; }
+    /// All but camera rays of the frames that have ended.
+    void setFrameRays(uint64_t rays) noexcept { frameRays_ = rays; }
+    /// All so far.
+    uint64_t rays() const noexcept { return cameraRays_ + queryRays_ + frameRays_; }
+
     /// Legal everywhere.
     void setParameter(uint32_t handle, const ParameterValue& value) {
         shaders_.setParameter(handle, value);
@@ -152,7 +160,7 @@ private:
         ModelPtr model;
         std::vector<UsedShader> shaders;
         BuildHints hints;          ///< when it was defined
-        uint64_t raysThen = 0;     ///< cameraRays_ when it was built last
+        uint64_t raysThen = 0;     ///< rays() when it was built last
     };
     struct OpenObject {
         uint32_t id;
@@ -186,7 +194,7 @@ private:
     ModelPtr compileLooseRun(GeometryRecording& spare);
     /// Makes the loose run, if there is one, an instance.
     void endLooseRun();
-    std::vector<Instance> allInstances();
+    InstanceList allInstances();
     void resumeLooseRun() noexcept;
 
     /// The state that instances placed now have, or loose geometry begun now.
@@ -229,6 +237,7 @@ private:
 
     std::map<uint32_t, Object> objects_;
     uint64_t cameraRays_ = 0; ///< of all frames started so far
+    uint64_t queryRays_ = 0, frameRays_ = 0;
     uint32_t lastObject_ = 0;
     std::unique_ptr<OpenObject> open_;
     SceneStore scenes_;

@@ -110,11 +110,11 @@ void Recorder::useUnique(UniqueShader what, uint32_t id) {
 // Queries see the instances of all layers, whatever their cameras.
 ScenePtr Recorder::compileScene() {
     requireOutsidePrimitive();
-    std::vector<Instance> all;
-    for (const FinishedLayer& layer : scene().below)
-        all.insert(all.end(), layer.instances.begin(), layer.instances.end());
-    std::vector<Instance> last = allInstances();
-    std::move(last.begin(), last.end(), std::back_inserter(all));
+    if (scene().below.empty())
+        return compiler_.makeScene(allInstances(), frameSettings_.precision);
+    InstanceList all;
+    for (const FinishedLayer& layer : scene().below) all.add(layer.instances);
+    all.add(allInstances());
     return compiler_.makeScene(std::move(all), frameSettings_.precision);
 }
 
@@ -124,7 +124,7 @@ std::shared_ptr<Frame> Recorder::makeFrame(const PixelTarget& target) {
     Frame common; // of all layers
     freezeShaders(common);
     std::vector<std::shared_ptr<Frame>> layers;
-    const auto add = [&](const LayerView& view, std::vector<Instance> instances,
+    const auto add = [&](const LayerView& view, InstanceList instances,
                          const std::vector<BufferClear>& clears) {
         layers.push_back(makeLayer(common, target, view));
         layers.back()->clears = clears;

@@ -70,7 +70,7 @@ void Recorder::clear(bool color, bool depth) {
         clears.push_back(clear);
         if (forgetEverything(clears)) {
             recording.below.clear();
-            recording.instances.clear();
+            recording.instances = {};
             recording.loose = GeometryRecording();
             recording.looseCount = 0;
             recording.view.reset();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Runs of primitives of display lists.
+#include <cstring>
 #include <utility>
 
 #include "compat/recorder/recorder.h"
 #include "compat/recorder/transforms.h"
-#include "libsmart/geometry/instance_group.h"
+#include "libsmart/kernel/affine_inverse.h"
 
 namespace smart::compat {
 
@@ -14,8 +15,11 @@ bool Recorder::canPlaceRuns() const {
     if (insidePrimitive_ || open_) return false;
     const glm::dmat4& m = matrices_.modelView();
     if (m[0].w != 0 || m[1].w != 0 || m[2].w != 0) return false;
-    glm::dmat4x3 inverse;
-    if (!invertAffine(makeAffine(m), inverse)) return false;
+    const glm::dmat4x3 matrix = makeAffine(m);
+    AffineColumns columns;
+    static_assert(sizeof columns == sizeof matrix);
+    std::memcpy(columns, &matrix[0][0], sizeof columns);
+    if (!isInvertible(columns)) return false;
     const FixedRaster& raster = fixedState_.state().raster;
     return raster.polygonMode[0] == FixedPolygonMode::Fill &&
            raster.polygonMode[1] == FixedPolygonMode::Fill;

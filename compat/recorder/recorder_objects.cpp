@@ -68,7 +68,7 @@ void Recorder::endObject() {
     Object& entry = made.try_emplace(open_->id).first->second;
     entry.shaders = open_->recording.usedShaders();
     entry.hints = buildHints_;
-    entry.raysThen = cameraRays_;
+    entry.raysThen = rays();
     const auto before = objects_.find(open_->id);
     const BuildQuality quality =
         qualityFor(buildHints_, before == objects_.end() ? nullptr : &before->second,
@@ -96,7 +96,7 @@ void Recorder::endObject() {
 BuildQuality Recorder::qualityFor(const BuildHints& hints, const Object* old,
                                   std::size_t triangles) const {
     std::optional<uint64_t> raysSince;
-    if (old) raysSince = cameraRays_ - old->raysThen;
+    if (old) raysSince = rays() - old->raysThen;
     return chooseQuality(hints.quality, raysSince, triangles);
 }
 
@@ -122,7 +122,7 @@ void Recorder::updateObject(uint32_t id, uint32_t first, uint32_t count, const f
         qualityFor(updated.hints, &updated, updated.model->triangles.size());
     updated.model = compiler_.update(*updated.model, first, count, positions, quality,
                                      updated.hints.lazy);
-    updated.raysThen = cameraRays_;
+    updated.raysThen = rays();
 }
 
 void Recorder::removeObject(uint32_t id) {
@@ -212,15 +212,15 @@ template <class Complete>
 void Recorder::placeInScene(Instance instance, Complete&& complete) {
     enterLayer();
     std::optional<Instance> loose = looseInstance();
-    std::vector<Instance>& list = scene().instances;
-    if (list.capacity() - list.size() < 2) list.reserve(2 * list.capacity() + 2);
+    InstanceList& list = scene().instances;
+    list.makeRoom(2);
     complete(instance);
     if (loose) {
-        list.push_back(std::move(*loose));
+        list.add(std::move(*loose));
         ++scene().looseCount;
         scene().loose = GeometryRecording();
     }
-    list.push_back(std::move(instance));
+    list.add(std::move(instance));
     ++scene().additions;
 }
 
@@ -231,7 +231,7 @@ ModelPtr Recorder::sameLooseRun() const {
     if (!run.model || !recording.loose.givesAgain(*run.model)) return nullptr;
     const bool better =
         run.quality == BuildQuality::Fastest &&
-        chooseQuality(BuildQuality::DontCare, cameraRays_ - run.raysThen,
+        chooseQuality(BuildQuality::DontCare, rays() - run.raysThen,
                       run.model->triangles.size()) == BuildQuality::DontCare;
     return better ? nullptr : run.model;
 }
@@ -244,7 +244,7 @@ ModelPtr Recorder::compileLooseRun(GeometryRecording& spare) {
     // Made for one frame, unless it is the same again: sameLooseRun() found a better tree to pay.
     const bool again = run.model && spare.givesAgain(*run.model);
     const BuildQuality quality = again ? BuildQuality::DontCare : BuildQuality::Fastest;
-    run = {compiler_.compile(spare, quality, false), quality, cameraRays_};
+    run = {compiler_.compile(spare, quality, false), quality, rays()};
     return run.model;
 }
 
@@ -263,15 +263,15 @@ std::optional<Instance> Recorder::looseInstance() {
 
 void Recorder::endLooseRun() {
     if (scene().loose.hasPrimitives()) {
-        std::vector<Instance>& list = scene().instances;
-        if (list.capacity() == list.size()) list.reserve(2 * list.capacity() + 2);
+        InstanceList& list = scene().instances;
+        list.makeRoom(1);
         Instance instance;
         instance.model = sameLooseRun();
         if (!instance.model) // the last step that may fail
             instance.model = compileLooseRun(scene().loose);
         instance.inherited = scene().looseInherited;
         instance.state = scene().looseState;
-        list.push_back(std::move(instance));
+        list.add(std::move(instance));
         ++scene().looseCount;
     }
     scene().loose = GeometryRecording();
@@ -285,11 +285,14 @@ void Recorder::clearScene() noexcept {
     scene().looseRuns = std::move(runs);
 }
 
-std::vector<Instance> Recorder::allInstances() {
-    std::vector<Instance> all;
-    all.reserve(scene().instances.size() + 1);
-    all = scene().instances;
-    if (std::optional<Instance> loose = looseInstance()) all.push_back(std::move(*loose));
+InstanceList Recorder::allInstances() {
+    const InstanceList& recorded = scene().instances;
+    std::optional<Instance> loose = looseInstance();
+    if (!loose) return recorded;
+    InstanceList all;
+    all.reserve(recorded.size() + 1);
+    all.add(recorded);
+    all.add(std::move(*loose));
     return all;
 }
 

@@ -18,7 +18,7 @@ namespace smart::compat {
 struct LooseRun {
     ModelPtr model;
     BuildQuality quality = BuildQuality::Fastest;
-    uint64_t raysThen = 0; ///< camera rays of the frames before it was built
+    uint64_t raysThen = 0; ///< Recorder::rays() when it was built
 };
 
 /// What the next frame of a scene consists of so far.
@@ -27,7 +27,7 @@ struct SceneRecording {
     // Of the layer under way:
     std::optional<LayerView> view;   ///< since its first primitive
     std::vector<BufferClear> clears; ///< before that
-    std::vector<Instance> instances;
+    InstanceList instances;
     /// Loose primitives since the last instance; their inherited attributes are those current at
     /// the first vertex.
     GeometryRecording loose;

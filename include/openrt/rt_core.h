@@ -14,8 +14,8 @@ extern "C" {
  * way too; whatever else it asks of the library has no effect, and rtGetError answers
  * RT_INVALID_OPERATION. Floating-point state, signal mask and handlers, locale and thread affinity
  * of the application are left as they are; signals are never delivered to the library's threads.
- * Only a process that ends by the end of its last thread, after pthread_exit in main, has to call
- * rtExit before: the library's threads count too. */
+ * Threads that had no frame for some seconds end, and are started again by the next one: a process
+ * whose main thread calls pthread_exit ends with the last of the others. */
 
 /* Makes a fresh default context and makes it current on the calling thread. A second call ends
  * the default context of the first. Both pointers may be NULL; otherwise the arguments below are

@@ -140,7 +140,7 @@ RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const
  * it. It takes by far the most time and memory. RT_FASTEST builds a tree of boxes along a space-filling
  * curve in linear time. RT_DONT_CARE builds a tree of boxes by the surface area heuristic over bins
  * (Wald, 2007); an object that is defined again, or updated, gets what pays: the fast tree, unless
- * the frames started since its last build had more than some eight camera rays a triangle. Hits do
+ * the frames started since its last build had more than some eight rays a triangle. Hits do
  * not depend on any of this. After rtUpdateObject the tree of boxes of before is fitted to the new
  * positions (Lauterbach and others, 2006) until rays would take half as long again as in a new one;
  * there is no kd-tree then. Primitives outside objects get the fast tree.

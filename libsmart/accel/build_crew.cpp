@@ -39,12 +39,13 @@ void BuildCrew::run(std::size_t count, Part part, const void* work) {
         work_ = work;
         next_.store(0, std::memory_order_relaxed);
         failure_ = nullptr;
-        working_ = helpers_.size();
+        open_ = true;
         ++round_;
     }
     begun_.notify_all();
     takeParts();
     std::unique_lock lock(mutex_);
+    open_ = false;
     ended_.wait(lock, [this] { return working_ == 0; });
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
@@ -67,9 +68,10 @@ void BuildCrew::help(uint64_t seen) {
     const FpEnvironment standard;
     std::unique_lock lock(mutex_);
     for (;;) {
-        begun_.wait(lock, [&] { return closing_ || round_ != seen; });
+        begun_.wait(lock, [&] { return closing_ || (open_ && round_ != seen); });
         if (closing_) return;
         seen = round_;
+        ++working_;
         lock.unlock();
         takeParts();
         lock.lock();

@@ -43,7 +43,9 @@ private:
     std::mutex mutex_;
     std::condition_variable begun_, ended_;
     uint64_t round_ = 0;
-    std::size_t working_ = 0; ///< helpers that have not ended this round
+    std::size_t working_ = 0; ///< helpers in this round
+    /// Helpers may join this round. Those that the system let run too late are not waited for.
+    bool open_ = false;
     bool closing_ = false;
     std::exception_ptr failure_;
     std::atomic<std::size_t> next_{0};

@@ -4,13 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "libsmart/accel/build_crew.h"
 #include "libsmart/base/fp_environment.h"
 #include "libsmart/geometry/box_view.h"
 #include "libsmart/geometry/model.h"
+#include "libsmart/kernel/affine_inverse.h"
 
 namespace smart {
 namespace {
+
+constexpr std::size_t kInstancesOfPart = 2048;
+/// Fewer are looked at in less time than it takes to start a thread and to wait for it.
+constexpr std::size_t kInstancesForThreads = 32768;
 
 float roundedDown(double value) {
     constexpr double kMax = std::numeric_limits<float>::max();
@@ -25,7 +32,7 @@ float roundedUp(double value) {
 
 /// Box around the transformed box, as the eight corners span it. Padded by some units in the last
 /// place of its terms, since rays are rounded to float in object space.
-Aabb transformed(const glm::dmat4x3& matrix, const Aabb& box) {
+Aabb transformed(const AffineColumns& matrix, const Aabb& box) {
     Aabb result;
     if (box.empty()) return result;
     for (int row = 0; row < 3; ++row) {
@@ -44,152 +51,62 @@ Aabb transformed(const glm::dmat4x3& matrix, const Aabb& box) {
     return result;
 }
 
-/// From the residual E = 1 - X M: as M^-1 = (1 - E)^-1 X, |M^-1 y - X y| <= |E| / (1 - |E|) |X y|
-/// in the maximum norm. Computing an entry of E errs by less than 4 units of 2^-53 of its terms.
-InverseBound boundInverse(const glm::dmat4x3& matrix, const glm::dmat4x3& inverse) {
-    InverseBound bound{0, 0, 0};
-    double residual = 0;
-    for (int row = 0; row < 3; ++row) {
-        double norm = 0, rest = 0;
-        for (int column = 0; column < 3; ++column) {
-            norm += std::fabs(inverse[column][row]);
-            double entry = 0, size = 1;
-            for (int k = 0; k < 3; ++k) {
-                const double term = inverse[k][row] * matrix[column][k];
-                entry += term;
-                size += std::fabs(term);
-            }
-            rest += std::fabs(entry - (row == column ? 1 : 0)) + 0x1p-50 * size;
-        }
-        bound.norm = std::max(bound.norm, norm * (1 + 0x1p-50));
-        bound.offset = std::max(bound.offset, std::fabs(matrix[3][row]));
-        residual = std::max(residual, rest);
-    }
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    bound.relative = residual < 0.5 ? residual / (1 - residual) * (1 + 0x1p-50) : kInfinity;
-    return bound;
+bool isIdentity(const AffineColumns& matrix) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (matrix[column][row] != (row == column)) return false;
+    return true;
 }
 
-InstanceView makeInstanceView(const Instance& instance, const glm::dmat4x3& inverse,
-                              bool hittable) {
-    InstanceView view{};
-    view.identity = instance.toParent == glm::dmat4x3(1.0);
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            view.toObject[row][column] = view.identity ? row == column : inverse[column][row];
-        }
-    }
-    view.inverse = boundInverse(instance.toParent, inverse);
-    view.toParent = &instance.toParent[0][0];
-    view.model = hittable ? &instance.model->view() : nullptr;
-    return view;
+/// Fills in what the matrix and the model decide; the box in the parent's space. Returns whether
+/// the matrix has an inverse.
+bool complete(InstanceView& instance, Aabb& box) {
+    const Model* const model = instance.traits->model.get();
+    instance.identity = isIdentity(instance.toParent);
+    instance.usual = isUsual(instance.toParent);
+    instance.model = nullptr;
+    if (!instance.identity && !isInvertible(instance.toParent)) return false;
+    if (!model) return true;
+    box = transformed(instance.toParent, model->bounds);
+    if (!box.empty()) instance.model = &model->view();
+    return true;
 }
 
 } // namespace
 
-InstanceGroup::InstanceGroup(std::vector<Instance> instances, unsigned threads)
-    : instances_(std::move(instances)) {
+InstanceGroup::InstanceGroup(InstanceList instances, unsigned threads)
+    : list_(std::move(instances)) {
     const FpEnvironment standard;
-    std::vector<Aabb> boxes;
-    boxes.reserve(instances_.size());
-    views_.reserve(instances_.size());
-    for (const Instance& instance : instances_) {
-        glm::dmat4x3 inverse(1.0);
-        const bool invertible = invertAffine(instance.toParent, inverse);
-        if (!invertible) ++dropped_;
-        const Aabb box = invertible && instance.model
-                             ? transformed(instance.toParent, instance.model->bounds)
-                             : Aabb{};
-        views_.push_back(makeInstanceView(instance, inverse, !box.empty()));
-        boxes.push_back(box);
-        bounds_.add(box);
+    list_.shrink();
+    const std::span<InstanceView> views = list_.views();
+    std::vector<Aabb> boxes(views.size());
+    struct Found {
+        Aabb bounds;
+        uint32_t dropped = 0;
+    };
+    std::vector<Found> found((views.size() + kInstancesOfPart - 1) / kInstancesOfPart);
+    const unsigned helping = views.size() < kInstancesForThreads ? 1 : threads;
+    BuildCrew(helping).forEach(found.size(), [&](std::size_t part) {
+        const std::size_t begin = part * kInstancesOfPart;
+        const std::size_t end = std::min(begin + kInstancesOfPart, views.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            found[part].dropped += !complete(views[i], boxes[i]);
+            found[part].bounds.add(boxes[i]);
+        }
+    });
+    for (const Found& part : found) {
+        dropped_ += part.dropped;
+        bounds_.add(part.bounds);
     }
-    if (instances_.size() > 1)
-        tree_ = buildWideTree(boxes, std::max(threads, 1u), kInstanceCosts);
-}
-
-std::size_t ShaderReplacement::bytes() const {
-    constexpr std::size_t kOwnerCounts = 2 * sizeof(void*); // beside it, where it is shared
-    return sizeof(ShaderReplacement) + kOwnerCounts + pairs.capacity() * sizeof(pairs[0]) +
-           keepAlive.capacity() * sizeof(keepAlive[0]);
-}
-
-std::size_t InstanceGroup::bytes() const {
-    std::size_t replacements = 0;
-    for (const Instance& instance : instances_)
-        if (instance.replacement) replacements += instance.replacement->bytes();
-    return instances_.capacity() * sizeof(Instance) + views_.capacity() * sizeof(InstanceView) +
-           replacements + tree_.bytes();
+    if (views.size() > 1) tree_ = buildWideTree(boxes, std::max(threads, 1u), kInstanceCosts);
 }
 
 void InstanceGroup::show(ModelView& view) const {
-    view.children = views_.data();
+    view.children = list_.views().data();
     static_cast<BoxView&>(view.childTree) = makeBoxView(bounds_);
     view.childTree.nodes = tree_.nodes.empty() ? nullptr : tree_.nodes.data();
     view.childTree.prims = tree_.prims.data();
-    view.childCount = bounds_.empty() ? 0 : uint32_t(views_.size());
-}
-
-bool invertAffine(const glm::dmat4x3& matrix, glm::dmat4x3& inverse) {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            if (!std::isfinite(matrix[column][row])) return false;
-        }
-    }
-    // Scale columns, then rows, by powers of two to about 1, so that neither tiny nor huge scales
-    // look singular or overflow; exact, and undone in the inverse.
-    double a[3][3]; // [row][column]
-    int columnExponent[3], rowExponent[3];
-    for (int column = 0; column < 3; ++column) {
-        double largest = 0;
-        for (int row = 0; row < 3; ++row) {
-            largest = std::max(largest, std::fabs(matrix[column][row]));
-        }
-        if (largest == 0) return false;
-        columnExponent[column] = std::ilogb(largest);
-        for (int row = 0; row < 3; ++row) {
-            a[row][column] = std::ldexp(matrix[column][row], -columnExponent[column]);
-        }
-    }
-    for (int row = 0; row < 3; ++row) {
-        const double largest =
-            std::max({std::fabs(a[row][0]), std::fabs(a[row][1]), std::fabs(a[row][2])});
-        if (largest == 0) return false;
-        rowExponent[row] = std::ilogb(largest);
-        for (double& entry : a[row]) entry = std::ldexp(entry, -rowExponent[row]);
-    }
-
-    double cofactor[3][3], determinant = 0, magnitude = 0;
-    for (int row = 0; row < 3; ++row) {
-        const int r1 = (row + 1) % 3, r2 = (row + 2) % 3;
-        for (int column = 0; column < 3; ++column) {
-            const int c1 = (column + 1) % 3, c2 = (column + 2) % 3;
-            const double left = a[r1][c1] * a[r2][c2], right = a[r1][c2] * a[r2][c1];
-            cofactor[row][column] = left - right;
-            if (row == 0) {
-                determinant += a[0][column] * (left - right);
-                magnitude += std::fabs(a[0][column]) * (std::fabs(left) + std::fabs(right));
-            }
-        }
-    }
-    // Within the rounding errors of a product of two matrices and of the determinant itself,
-    // nothing tells the matrix from a singular one.
-    if (!(std::fabs(determinant) > 0x1p-49 * magnitude)) return false;
-
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            inverse[column][row] = std::ldexp(cofactor[column][row] / determinant,
-                                              -columnExponent[row] - rowExponent[column]);
-        }
-    }
-    for (int row = 0; row < 3; ++row) {
-        inverse[3][row] = -(inverse[0][row] * matrix[3][0] + inverse[1][row] * matrix[3][1] +
-                            inverse[2][row] * matrix[3][2]);
-        for (int column = 0; column < 4; ++column) {
-            if (!std::isfinite(inverse[column][row])) return false;
-        }
-    }
-    return true;
+    view.childCount = bounds_.empty() ? 0 : uint32_t(list_.size());
 }
 
 } // namespace smart

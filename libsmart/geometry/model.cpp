@@ -78,10 +78,10 @@ void Model::buildTrees(const std::vector<Triangle>& from, const Model* old) {
     else
         trees_->make(from);
     droppedTriangles = trees_->dropped();
-    for (const Instance& child : children.instances()) {
-        if (!child.model) continue;
-        levels = std::max(levels, 1 + child.model->levels);
-        drawsPixels |= child.model->drawsPixels;
+    for (const auto& child : children.traits()) {
+        if (!child->model) continue;
+        levels = std::max(levels, 1 + child->model->levels);
+        drawsPixels |= child->model->drawsPixels;
     }
     assert(levels <= uint32_t(kMaxLevels));
     bounds = trees_->bounds();
@@ -97,27 +97,26 @@ void Model::show() {
 // The flags keep models that are nested often, and deep, from being visited often.
 void Model::prepareFastRecords() const {
     if (recordsPrepared_.load(std::memory_order_acquire)) return;
-    for (const Instance& child : children.instances())
-        if (child.model) child.model->prepareFastRecords();
+    for (const auto& child : children.traits())
+        if (child->model) child->model->prepareFastRecords();
     trees_->prepareRecords();
     recordsPrepared_.store(true, std::memory_order_release);
 }
 
 void Model::prepareTiles() const {
     if (tilesPrepared_.load(std::memory_order_acquire)) return;
-    for (const Instance& child : children.instances())
-        if (child.model) child.model->prepareTiles();
+    for (const auto& child : children.traits())
+        if (child->model) child->model->prepareTiles();
     trees_->prepareWideTree();
     tilesPrepared_.store(true, std::memory_order_release);
 }
 
 bool Model::readyForTiles() const {
     if (tilesPrepared_.load(std::memory_order_acquire)) return true;
-    const auto ready = [](const Instance& child) {
-        return !child.model || child.model->readyForTiles();
+    const auto ready = [](const auto& child) {
+        return !child->model || child->model->readyForTiles();
     };
-    if (!trees_->hasWideTree() ||
-        !std::all_of(children.instances().begin(), children.instances().end(), ready))
+    if (!trees_->hasWideTree() || !std::ranges::all_of(children.traits(), ready))
         return false;
     tilesPrepared_.store(true, std::memory_order_release);
     return true;

@@ -58,7 +58,7 @@ ModelPtr ModelBuilder::build(const ModelBuildOptions& options) && {
     shared->bytes.add(sizeof(ShadingData) + shared->value.bytes());
     group->bytes.add(sizeof(InstanceGroup) + group->value.bytes());
     model->pixels = std::move(pixels);
-    children.clear();
+    children = {};
     model->show();
     model->buildSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -17,7 +17,7 @@ public:
     std::vector<Triangle> triangles;
     ShadingData shading;
     PixelGeometry pixels;
-    std::vector<Instance> children;
+    InstanceList children;
 
     /// Compiles. A triangle that is not finite, or whose cross product is exactly zero (in exact
     /// arithmetic), is left out of the trees, counted, and keeps its number.

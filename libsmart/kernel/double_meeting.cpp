@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "libsmart/kernel/affine_inverse.h"
 #include "libsmart/kernel/exact_meeting.h"
 
 namespace smart {
@@ -19,14 +20,16 @@ double largest(const double* x) {
     return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2])));
 }
 
-// InstanceView::inverse bounds what the inverse itself is off by. The arithmetic here adds less
+// boundInverse() says what the inverse itself is off by. The arithmetic here adds less
 // than 8u of the terms to the origin and 4u to the direction.
 void enter(const InstanceView& instance, ObjectRay& ray) {
-    const InverseBound& inverse = instance.inverse;
+    AffineRows toObject;
+    invert(instance, toObject);
+    const InverseBound inverse = boundInverse(instance.toParent, toObject);
     const double orgSize = largest(ray.org) + inverse.offset, dirSize = largest(ray.dir);
     double org[3], dir[3];
     for (int k = 0; k < 3; ++k) {
-        const double* m = instance.toObject[k];
+        const double* m = toObject[k];
         org[k] = m[0] * ray.org[0] + m[1] * ray.org[1] + m[2] * ray.org[2] + m[3];
         dir[k] = m[0] * ray.dir[0] + m[1] * ray.dir[1] + m[2] * ray.dir[2];
     }

@@ -56,7 +56,7 @@ void meetExactly(const ModelView& scene, const WorldRay& ray, const TriangleName
     const ExactVector origin = vector(ray.org), direction = vector(ray.dir);
     for (ExactVector& corner : corners) {
         for (uint32_t l = name.levels; l-- > 0;) {
-            if (!chain[l]->identity) corner = transformed(chain[l]->toParent, corner);
+            if (!chain[l]->identity) corner = transformed(&chain[l]->toParent[0][0], corner);
         }
         corner = corner - origin;
     }

@@ -3,6 +3,7 @@
 // as given and rounded once: float decides which triangle is hit, double says where.
 #pragma once
 
+#include "libsmart/kernel/affine_inverse.h"
 #include "libsmart/kernel/search.h"
 
 namespace smart::SMART_ISA {
@@ -22,10 +23,12 @@ const ModelView& descend(const ModelView& scene, const uint32_t path[][N], uint3
         const InstanceView& instance = model->children[path[l][lane]];
         model = instance.model;
         if (instance.identity) continue;
+        AffineRows toObject;
+        invert(instance, toObject);
         const double org[3] = {rays.org[0][lane], rays.org[1][lane], rays.org[2][lane]};
         const double dir[3] = {rays.dir[0][lane], rays.dir[1][lane], rays.dir[2][lane]};
         for (int k = 0; k < 3; ++k) {
-            const double* m = instance.toObject[k];
+            const double* m = toObject[k];
             rays.org[k][lane] = m[0] * org[0] + m[1] * org[1] + m[2] * org[2] + m[3];
             rays.dir[k][lane] = m[0] * dir[0] + m[1] * dir[1] + m[2] * dir[2];
         }
@@ -56,7 +59,8 @@ const ModelView& descendTogether(const ModelView& scene, const uint32_t path[][N
         const InstanceView& instance = model->children[path[l][lane]];
         model = instance.model;
         if (instance.identity) continue;
-        const auto& m = instance.toObject;
+        AffineRows m;
+        invert(instance, m);
         for (int i = 0; i < N; ++i) {
             const double x = rays.org[0][i], y = rays.org[1][i], z = rays.org[2][i];
             for (int k = 0; k < 3; ++k)

@@ -88,11 +88,13 @@ T largerOf(T a, T b) {
 template <int N>
 void transformRays(const InstanceView& instance, const PreciseRays<N>& rays,
                    PreciseRays<N>& local) {
-    const InverseBound& inverse = instance.inverse;
+    AffineRows toObject;
+    invert(instance, toObject);
+    const InverseBound inverse = boundInverse(instance.toParent, toObject);
     alignas(64) double orgSize[N], dirSize[N];
     for (int i = 0; i < N; ++i) orgSize[i] = dirSize[i] = 0;
     for (int k = 0; k < 3; ++k) {
-        const double* m = instance.toObject[k];
+        const double* m = toObject[k];
         for (int i = 0; i < N; ++i) {
             const double x = rays.wideOrg[0][i], y = rays.wideOrg[1][i], z = rays.wideOrg[2][i];
             local.wideOrg[k][i] = m[0] * x + m[1] * y + m[2] * z + m[3];

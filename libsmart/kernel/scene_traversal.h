@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include "libsmart/kernel/affine_inverse.h"
 #include "libsmart/kernel/intersect.h"
 #include "libsmart/kernel/precise.h"
 #include "libsmart/kernel/single_lane.h"
@@ -14,9 +15,9 @@ namespace smart::SMART_ISA {
 
 /// Rays of an instance's parent in the instance's own space; computed in double, rounded once.
 template <int N>
-void transformRays(const InstanceView& instance, const LocalRays<N>& rays, LocalRays<N>& local) {
+void transformRays(const AffineRows& toObject, const LocalRays<N>& rays, LocalRays<N>& local) {
     for (int k = 0; k < 3; ++k) {
-        const double* m = instance.toObject[k];
+        const double* m = toObject[k];
         for (int i = 0; i < N; ++i) {
             const double x = rays.org[0][i], y = rays.org[1][i], z = rays.org[2][i];
             local.org[k][i] = float(m[0] * x + m[1] * y + m[2] * z + m[3]);
@@ -26,6 +27,12 @@ void transformRays(const InstanceView& instance, const LocalRays<N>& rays, Local
             local.dir[k][i] = float(m[0] * x + m[1] * y + m[2] * z);
         }
     }
+}
+template <int N>
+void transformRays(const InstanceView& instance, const LocalRays<N>& rays, LocalRays<N>& local) {
+    AffineRows toObject;
+    invert(instance, toObject);
+    transformRays(toObject, rays, local);
 }
 
 /// The model of an instance as rays walk it.

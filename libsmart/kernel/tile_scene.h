@@ -81,12 +81,14 @@ private:
         if (instance.identity) {
             model(reached(instance), tile, lanes, query, more);
         } else {
+            AffineRows toObject;
+            invert(instance, toObject);
             RayTile local;
             for (int v = 0; v < kTileVectors; ++v)
-                if (lanes.of[v]) transformRays(instance, tile.rays[v], local.rays[v]);
+                if (lanes.of[v]) transformRays(toObject, tile.rays[v], local.rays[v]);
             const double x = tile.apex[0], y = tile.apex[1], z = tile.apex[2];
             for (int k = 0; k < 3; ++k) {
-                const double* m = instance.toObject[k];
+                const double* m = toObject[k];
                 local.apex[k] = float(m[0] * x + m[1] * y + m[2] * z + m[3]);
             }
             local.startsThere = tile.startsThere;

@@ -52,22 +52,18 @@ struct DeferredView {
     const ModelView* (*reach)(const DeferredView&);
 };
 
-/// What an inverse matrix X of M, and rays transformed by it, are off by. In the largest component,
-/// for any vector y: |M^-1 y - X y| <= relative * |X y|, |X y| <= norm * |y|.
-struct InverseBound {
-    double relative; ///< infinite where nothing is known
-    double norm;
-    double offset; ///< largest component of M's translation
-};
+struct InstanceTraits;
 
-/// A child in its parent's space. The inverse is kept in double, so that the ray in object space
-/// carries one rounding only.
+/// A child in its parent's space. Rays enter it in double, by the inverse of its matrix, so that
+/// the ray in object space carries one rounding only; see affine_inverse.h.
 struct InstanceView {
-    double toObject[3][4]; ///< rows; the fourth column is the translation
-    InverseBound inverse;
-    const double* toParent; ///< the matrix as given: four columns of three
-    const ModelView* model;
-    uint32_t identity; ///< not 0: toObject is the identity and needs no arithmetic
+    double toParent[4][3];  ///< the matrix as given: four columns of three
+    const ModelView* model; ///< nullptr: no ray can hit it
+    uint16_t identity;      ///< not 0: the matrix is the identity and needs no arithmetic
+    uint16_t usual;         ///< not 0: invertUsual() will do
+    // Not for kernels:
+    uint32_t objectId;
+    const InstanceTraits* traits;
 };
 
 /// A model: its own triangles, and child instances with a tree over them. The scene itself is a

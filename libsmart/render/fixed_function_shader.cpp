@@ -141,7 +141,7 @@ double FixedFunctionShader::texelsInCone(const RTSstate& state, bool back) {
 bool FixedFunctionShader::findVisibility(PointState& point, uint32_t lights,
                                          glm::vec3 (&visibility)[kFixedLights]) const {
     RTSstate& state = point.state;
-    const FixedLighting& lighting = point.chain.instances[0]->state->lighting;
+    const FixedLighting& lighting = point.chain.instances[0]->traits->state->lighting;
     bool hidden = false;
     for (int i = 0; i < kFixedLights; ++i) {
         visibility[i] = glm::vec3(1.0f);

@@ -9,8 +9,8 @@ LayerNeeds findLayerNeeds(const Scene& scene) {
     LayerNeeds needs;
     bool first = false, last = false; // which of equal hits some state asks for
     const FixedState* before = nullptr;
-    for (const Instance& instance : scene.group().instances()) {
-        const FixedState* const state = instance.state.get();
+    for (const auto& traits : scene.group().traits()) {
+        const FixedState* const state = traits->state.get();
         if (!state) first = true;
         if (!state || state == before) continue;
         before = state;

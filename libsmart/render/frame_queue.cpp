@@ -30,8 +30,8 @@ constexpr int kLookAhead = 64;
 
 } // namespace
 
-FrameQueue::FrameQueue(unsigned depth)
-    : signal_(std::make_shared<QueueSignal>()), depth_(std::max(depth, 1u)) {}
+FrameQueue::FrameQueue(unsigned depth, std::chrono::milliseconds patience)
+    : signal_(std::make_shared<QueueSignal>()), patience_(patience), depth_(std::max(depth, 1u)) {}
 
 FrameQueue::~FrameQueue() {
     while (first_) first_ = std::exchange(first_->behind_, nullptr); // one by one: no recursion
@@ -47,14 +47,20 @@ QueuedFramePtr FrameQueue::prepare(std::shared_ptr<const Frame> frame,
         lastWidth_ = target.width;
         lastHeight_ = target.height;
     }
-    return std::make_shared<QueuedFrame>(std::move(frame), std::move(tiles), std::move(listener),
-                                         signal_);
+    const auto prepared = std::make_shared<QueuedFrame>(std::move(frame), std::move(tiles),
+                                                        std::move(listener), signal_);
+    const std::lock_guard lock(signal_->mutex);
+    ++signal_->announced;
+    prepared->announced_ = true;
+    return prepared;
 }
 
 void FrameQueue::submit(QueuedFramePtr frame) noexcept {
     {
         std::unique_lock lock(signal_->mutex);
         ended_.wait(lock, [&] { return incomplete_ < depth_; });
+        frame->announced_ = false;
+        --signal_->announced;
         for (QueuedFrame* f = first_.get(); f && !frame->sharesMemory_; f = f->behind_.get())
             frame->sharesMemory_ = frame->sharesMemoryWith(*f);
         // It may have been cancelled already.
@@ -105,9 +111,22 @@ bool FrameQueue::next(TileJob& job) {
             }
             --left;
         }
-        if (closed_) return false;
-        signal_->work.wait(lock);
+        if (closed_ || deserted_ || !waitForWork(lock)) return false;
     }
+}
+
+/// False, and for all workers, where nothing has come for too long.
+bool FrameQueue::waitForWork(std::unique_lock<std::mutex>& lock) {
+    if (patience_ == kForever) {
+        signal_->work.wait(lock);
+        return true;
+    }
+    if (signal_->work.wait_for(lock, patience_) == std::cv_status::no_timeout || first_ ||
+        signal_->announced > 0)
+        return true;
+    deserted_ = true;
+    signal_->work.notify_all();
+    return false;
 }
 
 void FrameQueue::done(TileJob& job, const TilePixels& pixels) {
@@ -199,6 +218,11 @@ RenderStatistics FrameQueue::statistics() const {
     return statistics_;
 }
 
+bool FrameQueue::deserted() const {
+    const std::lock_guard lock(signal_->mutex);
+    return deserted_;
+}
+
 void FrameQueue::close() {
     {
         const std::lock_guard lock(signal_->mutex);
@@ -209,7 +233,7 @@ void FrameQueue::close() {
 
 void FrameQueue::open() {
     const std::lock_guard lock(signal_->mutex);
-    closed_ = false;
+    closed_ = deserted_ = false;
 }
 
 } // namespace smart

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
@@ -23,7 +24,9 @@ namespace smart {
 class FrameQueue final : public TileSource {
 public:
     /// depth: how many frames may be incomplete at once; at least 1.
-    explicit FrameQueue(unsigned depth = 2);
+    /// patience: how long workers wait for a frame before all of them go home; see deserted().
+    explicit FrameQueue(unsigned depth = 2, std::chrono::milliseconds patience = kForever);
+    static constexpr auto kForever = std::chrono::milliseconds::max();
     /// Nobody may be inside a call; frames that did not end never will.
     ~FrameQueue() override;
 
@@ -38,6 +41,10 @@ public:
     unsigned depth() const;
     /// Of the frames that have ended.
     RenderStatistics statistics() const;
+    /// Whether the workers went home for want of frames. They do not while there is a frame that
+    /// was prepared and not submitted: who finds no workers after prepare() has to open() the queue
+    /// and send new ones.
+    bool deserted() const;
     /// Sends workers home once every tile is handed out; open() ends that.
     void close();
     void open();
@@ -49,6 +56,7 @@ public:
 private:
     static bool take(QueuedFrame& frame, TileJob& job);
     bool mayStart(const QueuedFrame& frame) const;
+    bool waitForWork(std::unique_lock<std::mutex>& lock);
     void finish(QueuedFrame& frame, uint64_t tiles) noexcept;
     void endFrames(std::unique_lock<std::mutex>& lock) noexcept;
     QueuedFramePtr findEnded() const;
@@ -58,8 +66,10 @@ private:
     std::condition_variable ended_;
     QueuedFramePtr first_; // linked by behind_
     QueuedFrame* last_ = nullptr;
+    const std::chrono::milliseconds patience_;
     unsigned depth_, incomplete_ = 0;
     bool closed_ = false;
+    bool deserted_ = false;
     bool ending_ = false; ///< some thread is ending frames, and will look again
     RenderStatistics statistics_;
 

@@ -20,8 +20,9 @@ public:
         Indices found;
         std::set<std::pair<const Model*, const ShaderReplacement*>> seen;
         std::pair<const Model*, const ShaderReplacement*> last;
-        for (const Instance& instance : group.instances()) {
-            const std::pair placed{instance.model.get(), instance.replacement.get()};
+        for (const auto& traits : group.traits()) {
+            const std::pair<const Model*, const ShaderReplacement*> placed{
+                traits->model.get(), traits->replacement.get()};
             if (!placed.first || placed == last || !seen.insert(placed).second) continue;
             last = placed;
             for (const uint32_t shader : of(*placed.first))
@@ -92,8 +93,8 @@ FrameShading findFrameShading(const Scene& scene, const ShaderTable& shaders,
     shading.transparent = std::ranges::any_of(
         shading.surfaces, [](const ShaderObject* surface) { return mayLetLightPass(*surface); });
     const FixedState* last = nullptr;
-    for (const Instance& instance : scene.group().instances()) {
-        const FixedState* state = instance.state.get();
+    for (const auto& traits : scene.group().traits()) {
+        const FixedState* state = traits->state.get();
         if (!state || state == last) continue;
         last = state;
         shading.fixedFunction = true;

@@ -239,7 +239,7 @@ void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met) {
         const HitChain chain = resolve(*layer_.scene, hit.path, hit.levels, hit.triangle);
         kept.objectId = chain.instances[chain.levels - 1]->objectId;
         kept.triangle = RasterTriangle(chain);
-        kept.state = chain.instances[0]->state.get();
+        kept.state = chain.instances[0]->traits->state.get();
         kept.counts = isDrawn(kept);
     }
     keepOwned(std::span(hits).subspan(first), at_[lane]);

@@ -102,28 +102,31 @@ public:
           toWindow_(layer.viewport, layer.depthNear, layer.depthFar) {}
 
     void addScene(const Scene& scene) {
-        const std::vector<Instance>& instances = scene.group().instances();
+        const std::span<const InstanceView> instances = scene.group().instances();
         for (std::size_t i = 0; i < instances.size(); ++i) {
+            const InstanceTraits& traits = *instances[i].traits;
             instance_ = uint32_t(i);
-            state_ = instances[i].state.get();
+            state_ = traits.state.get();
             volume_ = ClipVolume(state_);
             drawsEdges_ = drawsEdges(state_);
             HitChain chain{};
-            if (instances[i].model && (drawsEdges_ || instances[i].model->drawsPixels))
-                addInstance(instances[i], chain, squareMatrix(instances[i].toParent));
+            if (traits.model && (drawsEdges_ || traits.model->drawsPixels))
+                addInstance(instances[i], chain, squareMatrix(toParent(instances[i])));
         }
     }
     PixelItems take() { return std::move(result_); }
 
 private:
-    void addInstance(const Instance& instance, HitChain chain, const glm::dmat4& toWorld) {
+    void addInstance(const InstanceView& instance, HitChain chain, const glm::dmat4& toWorld) {
         chain.instances[chain.levels++] = &instance;
-        chain.model = instance.model.get();
+        chain.model = instance.traits->model.get();
         chain.toWorld = glm::dmat4x3(toWorld);
         addModel(chain);
-        for (const Instance& child : chain.model->children.instances())
-            if (child.model && (drawsEdges_ || child.model->drawsPixels))
-                addInstance(child, chain, toWorld * squareMatrix(child.toParent));
+        for (const InstanceView& child : chain.model->children.instances()) {
+            const Model* const model = child.traits->model.get();
+            if (model && (drawsEdges_ || model->drawsPixels))
+                addInstance(child, chain, toWorld * squareMatrix(toParent(child)));
+        }
     }
 
     void addModel(HitChain& chain) {
@@ -311,10 +314,8 @@ private:
 } // namespace
 
 bool drawsPixels(const Scene& scene) {
-    const std::vector<Instance>& instances = scene.group().instances();
-    return std::any_of(instances.begin(), instances.end(), [](const Instance& instance) {
-        return instance.model &&
-               (instance.model->drawsPixels || drawsEdges(instance.state.get()));
+    return std::ranges::any_of(scene.group().traits(), [](const auto& traits) {
+        return traits->model && (traits->model->drawsPixels || drawsEdges(traits->state.get()));
     });
 }
 

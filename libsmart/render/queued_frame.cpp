@@ -38,6 +38,12 @@ QueuedFrame::QueuedFrame(std::shared_ptr<const Frame> frame, Tiles tiles,
     add(aux.normal, 12 * pixels);
 }
 
+QueuedFrame::~QueuedFrame() {
+    if (!announced_) return;
+    const std::lock_guard lock(signal_->mutex);
+    --signal_->announced;
+}
+
 bool QueuedFrame::sharesMemoryWith(const QueuedFrame& other) const noexcept {
     for (const Memory& a : memory_)
         for (const Memory& b : other.memory_)

@@ -43,6 +43,7 @@ struct QueueSignal {
     std::condition_variable work;
     std::atomic<bool> settled{false};   ///< some frame may have ended that nobody works on
     std::atomic<uint64_t> cancelled{0}; ///< frames that were, and have not ended
+    unsigned announced = 0; ///< frames that may be submitted yet; under the mutex
 };
 
 /// A frame on its way through a queue, and afterwards what became of it: then it holds neither
@@ -53,6 +54,7 @@ public:
 
     QueuedFrame(std::shared_ptr<const Frame> frame, Tiles tiles,
                 std::shared_ptr<FrameListener> listener, std::shared_ptr<QueueSignal> signal);
+    ~QueuedFrame();
     QueuedFrame(const QueuedFrame&) = delete;
     QueuedFrame& operator=(const QueuedFrame&) = delete;
 
@@ -103,6 +105,7 @@ private:
     // Of the queue, under its mutex:
     std::shared_ptr<QueuedFrame> behind_; ///< the next in the queue
     bool sharesMemory_ = false;           ///< with one that was in the queue before it
+    bool announced_ = false;              ///< counted in QueueSignal::announced
 
     // Tiles not handed out (0 and less: none), and tiles neither done, failed nor dropped.
     alignas(kCacheLine) std::atomic<int64_t> waiting_;

@@ -42,14 +42,14 @@ float surfaceError(const HitChain& chain, const float position[3], float u, floa
     glm::dvec3 inModel[kMaxLevels];
     for (uint32_t level = chain.levels; level-- > 0;) {
         inModel[level] = point;
-        point = chain.instances[level]->toParent * glm::dvec4(point, 1.0);
+        point = toParent(*chain.instances[level]) * glm::dvec4(point, 1.0);
     }
     // Half a unit of each coordinate is lost where the point or the origin is rounded, and again
     // where the offset is added: below two units along any direction. Four leave a margin.
     double error = maxAbs({position[0], position[1], position[2]});
     glm::dmat3 toWorld(1.0);
     for (uint32_t level = 0; level < chain.levels; ++level) {
-        toWorld = toWorld * linear(chain.instances[level]->toParent);
+        toWorld = toWorld * linear(toParent(*chain.instances[level]));
         error += rowSum(toWorld) * maxAbs(inModel[level]);
     }
     // What interpolating in double loses where the corners are far away and the point is not.

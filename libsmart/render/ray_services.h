@@ -184,10 +184,11 @@ protected:
     /// The block of a hit's outermost instance; nullptr: none.
     const FixedState* stateOf(const Hit& hit) const { return stateOf(hit.path[0]); }
     const FixedState* stateOf(uint32_t instance) const {
-        return frame_.scene->group().instances()[instance].state.get();
+        return frame_.scene->group().instances()[instance].traits->state.get();
     }
     bool isFixed(const HitChain& chain) const {
-        return shading_.fixedFunction && chain.instances[0]->state && effectiveShader(chain) == 0;
+        return shading_.fixedFunction && chain.instances[0]->traits->state &&
+               effectiveShader(chain) == 0;
     }
     /// Among lanes whose hits have the given surface, those that fixed function shades.
     uint32_t fixedLanes(const ShaderObject* surface, const RayGroup& rays, uint32_t lanes) const;

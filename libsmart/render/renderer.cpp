@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/render/renderer.h"
 
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,10 @@ namespace smart {
 namespace {
 
 constexpr unsigned kQueueDepth = 2; // one frame is rendered while the next is described
+
+/// Idle threads keep a process that ends its main thread alone, and cost memory. Starting them anew
+/// takes less than a tenth of a millisecond each.
+constexpr std::chrono::seconds kPatience{3};
 
 unsigned countOrAll(unsigned threads) {
     return threads != 0 ? threads : coreCount();
@@ -25,7 +30,10 @@ public:
     ~Implementation() { stop(); }
 
     void start() {
-        if (!team) team.emplace(threads, queue, tracer);
+        if (team && !queue.deserted()) return;
+        team.reset();
+        queue.open();
+        team.emplace(threads, queue, tracer);
     }
     void stop() {
         queue.waitAll();
@@ -36,7 +44,7 @@ public:
 
     unsigned threads;
     FrameTracer tracer;
-    FrameQueue queue{kQueueDepth};
+    FrameQueue queue{kQueueDepth, kPatience};
     std::optional<ThreadTeam> team;
 };
 
@@ -45,8 +53,10 @@ Renderer::~Renderer() = default;
 
 QueuedFramePtr Renderer::prepare(std::shared_ptr<const Frame> frame,
                                  std::shared_ptr<FrameListener> listener) {
-    implementation_->start();
-    return implementation_->queue.prepare(std::move(frame), std::move(listener));
+    QueuedFramePtr prepared =
+        implementation_->queue.prepare(std::move(frame), std::move(listener));
+    implementation_->start(); // from here on nobody goes home until the frame was rendered
+    return prepared;
 }
 
 void Renderer::submit(QueuedFramePtr frame) noexcept {

@@ -45,10 +45,11 @@ HitChain resolve(const Scene& scene, const uint32_t* path, uint32_t levels, uint
     chain.triangle = triangle;
     const InstanceGroup* group = &scene.group();
     for (uint32_t level = 0; level < levels; ++level) {
-        const Instance& instance = group->instances()[path[level]];
+        const InstanceView& instance = group->instances()[path[level]];
         chain.instances[level] = &instance;
-        chain.toWorld = level == 0 ? instance.toParent : composed(chain.toWorld, instance.toParent);
-        chain.model = instance.model.get();
+        chain.toWorld =
+            level == 0 ? toParent(instance) : composed(chain.toWorld, toParent(instance));
+        chain.model = instance.traits->model.get();
         group = &chain.model->children;
     }
     assert(triangle < chain.model->triangles.size());

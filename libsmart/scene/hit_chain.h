@@ -12,7 +12,7 @@ namespace smart {
 
 /// The way from the scene down to the triangle of a hit, resolved from HitPacket::path.
 struct HitChain {
-    const Instance* instances[kMaxLevels];
+    const InstanceView* instances[kMaxLevels];
     uint32_t levels;
     const Model* model;     ///< innermost
     uint32_t triangle;      ///< number in it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/scene/scene.h"
 
+#include <algorithm>
 #include <chrono>
 #include <unordered_set>
 #include <utility>
@@ -13,11 +14,9 @@ public:
     void add(const InstanceGroup& group) {
         statistics.droppedInstances += group.dropped();
         add(group.tree());
-        const Model* last = nullptr; // runs of one model are common
-        for (const Instance& instance : group.instances()) {
-            const Model* const model = instance.model.get();
-            if (model != last && model && seen_.insert(model).second) add(*model);
-            last = model;
+        for (const auto& traits : group.traits()) {
+            const Model* const model = traits->model.get();
+            if (model && seen_.insert(model).second) add(*model);
         }
     }
 
@@ -51,37 +50,31 @@ private:
 
 } // namespace
 
-Scene::Scene(std::vector<Instance> instances, Precision precision, unsigned threads,
-             bool lastOfEqual)
+Scene::Scene(InstanceList instances, Precision precision, unsigned threads, bool lastOfEqual)
     : precision_(precision) {
     const auto start = std::chrono::steady_clock::now();
     group_ = InstanceGroup(std::move(instances), threads);
     group_.show(view_);
     view_.lastOfEqual = lastOfEqual;
     if (precision == Precision::Fast) {
-        for (const Instance& instance : group_.instances()) {
-            if (instance.model) instance.model->prepareFastRecords();
-        }
+        for (const auto& traits : group_.traits())
+            if (traits->model) traits->model->prepareFastRecords();
     }
     if (modelsAreReady()) prepareTiles();
     buildSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 bool Scene::modelsAreReady() const {
-    const Model* last = nullptr;
-    for (const Instance& instance : group_.instances()) {
-        if (instance.model && instance.model.get() != last && !instance.model->readyForTiles())
-            return false;
-        last = instance.model.get();
-    }
-    return true;
+    return std::ranges::all_of(group_.traits(), [](const auto& traits) {
+        return !traits->model || traits->model->readyForTiles();
+    });
 }
 
 void Scene::prepareTiles() const {
     if (precision_ == Precision::Precise) return;
     std::call_once(tilesOnce_, [this] {
-        for (const Instance& instance : group_.instances())
-            if (instance.model) instance.model->prepareTiles();
+        for (const auto& traits : group_.traits())
+            if (traits->model) traits->model->prepareTiles();
         preparedView_ = view_;
         preparedView_.wideReady = 1;
         tilesReady_.store(true, std::memory_order_release);

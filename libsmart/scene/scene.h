@@ -18,8 +18,7 @@ class Scene {
 public:
     /// Builds the top-level tree; for Precision::Fast also the records of every model reached.
     /// lastOfEqual: of hits at equal distance the last in order of submission counts.
-    Scene(std::vector<Instance> instances, Precision precision, unsigned threads,
-          bool lastOfEqual = false);
+    Scene(InstanceList instances, Precision precision, unsigned threads, bool lastOfEqual = false);
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 

@@ -43,8 +43,8 @@ public:
     const T& inheritedValue(bool InheritedAttributes::*own,
                             T InheritedAttributes::*inherited) const {
         uint32_t level = chain_.levels - 1;
-        while (level > 0 && !(chain_.instances[level]->inherited.*own)) --level;
-        return chain_.instances[level]->inherited.*inherited;
+        while (level > 0 && !(chain_.instances[level]->traits->inherited.*own)) --level;
+        return chain_.instances[level]->traits->inherited.*inherited;
     }
 
 private:

@@ -91,7 +91,7 @@ private:
 } // namespace
 
 FixedTriangle::FixedTriangle(const HitChain& chain, const FixedViewer& viewer)
-    : state_(chain.instances[0]->state.get()),
+    : state_(chain.instances[0]->traits->state.get()),
       levels_(chain.levels),
       triangle_(chain.triangle),
       viewer_(viewer) {

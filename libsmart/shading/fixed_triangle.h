@@ -34,7 +34,7 @@ private:
     LitVertex lit(const FixedVertex& vertex, bool back, const glm::vec3* visibility) const;
 
     const FixedState* state_ = nullptr;
-    const Instance* instances_[kMaxLevels];
+    const InstanceView* instances_[kMaxLevels];
     uint32_t levels_ = 0, triangle_ = 0;
     FixedViewer viewer_;
     FixedVertex vertices_[4];

@@ -96,7 +96,7 @@ uint32_t ownShader(const HitChain& chain) {
 uint32_t effectiveShader(const HitChain& chain) {
     uint32_t shader = ownShader(chain);
     for (uint32_t level = chain.levels; level-- > 0;)
-        if (const auto& replacement = chain.instances[level]->replacement)
+        if (const auto& replacement = chain.instances[level]->traits->replacement)
             shader = (*replacement)(shader);
     return shader;
 }

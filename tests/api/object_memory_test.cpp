@@ -192,13 +192,15 @@ TEST_F(ObjectMemory, ReportedBytesAreThoseAllocated) {
                 rtPopMatrix();
             }
             const double withoutScene = statistic(RT_STAT_BYTES);
+            const int64_t beforeScene = liveBytes;
             const RTuint scene = rtCompileScene();
             const double ofScene = statistic(RT_STAT_BYTES) - withoutScene;
+            expectAgreement(ofScene, double(liveBytes - beforeScene), "instances");
             std::printf("%-11s %-22s %6.1f bytes a triangle, %6.1f at most while it was built, "
                         "%5.0f bytes an instance\n",
                         quality.name, kind.name, reported / kTriangles, peak / kTriangles,
                         ofScene / 1000);
-            EXPECT_LT(ofScene / 1000, 600);
+            EXPECT_LT(ofScene / 1000, 200);
             rtReleaseScene(scene);
             rtDeleteScene(open);
             rtRemoveObject(object);

@@ -137,9 +137,9 @@ MemoryFigures instanceFigures(unsigned instances) {
         start(pixels, kSize);
         RTuint object = 0;
         defineHills(200, 0, object);
+        const double counted = countedBytes(), heap = heapBytes(), resident = statusBytes("VmRSS:");
         const RTuint scene = rtGenScene();
         rtBindScene(scene);
-        const double counted = countedBytes(), heap = heapBytes(), resident = statusBytes("VmRSS:");
         const auto begin = std::chrono::steady_clock::now();
         const unsigned side = unsigned(std::ceil(std::sqrt(double(instances))));
         for (unsigned i = 0; i < instances; ++i) {

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Tables and pictures of what `openrt-bench dynamic` and `openrt-bench memory` found.
+"""Tables and pictures of what `openrt-bench dynamic`, `openrt-bench memory` and sample_rates.py found.
 
-usage: dynamic_plot.py [--dynamic FILE.json] [--memory FILE.json] --page PAGE.md --out FOLDER
+usage: dynamic_plot.py [--dynamic FILE.json] [--memory FILE.json] [--samples FILE.json]
+                       --page PAGE.md --out FOLDER
 
 Fills the tables of PAGE.md, between lines <!-- NAME --> and <!-- end of NAME -->, and writes
 instances.svg (time of a step against the number of instances) and sheet.svg (what an update of a
@@ -87,6 +88,21 @@ def queue_table(report):
         ["the same, longest", f"{1e3 * q['longestCancel']:.2f} ms"],
         ["a tile takes, mean", f"{1e3 * q['tile']:.2f} ms"],
         ["the same, longest", f"{1e3 * q['longestTile']:.2f} ms"]])
+
+
+def sample_table(report, dynamic):
+    """Beside the samples, what changes in them in Embree, with camera rays alone."""
+    peers = {}
+    for series in dynamic.get("series", []):
+        rate = best_peer(series)
+        if rate and series["scene"] == "sheet":
+            peers["sheet"] = f"{1 / rate:.3g}: a sheet of {series['triangles']:,} triangles"
+        elif rate and series["instances"] == 10000:
+            peers["shoal"] = f"{1 / rate:.3g}: 10,000 moving balls"
+    return table(["sample", "frames a second", "describe, ms",
+                  "steps a second of the like in Embree, camera rays alone"],
+                 [[s["sample"], f"{s['rate']:.3g}", milliseconds(s["describe"]),
+                   peers.get(s["sample"], "-")] for s in report["samples"]])
 
 
 def memory_table(rows):
@@ -178,6 +194,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--dynamic", type=pathlib.Path)
     parser.add_argument("--memory", type=pathlib.Path)
+    parser.add_argument("--samples", type=pathlib.Path)
     parser.add_argument("--page", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     options = parser.parse_args()
@@ -196,6 +213,10 @@ def main():
             sheet_picture(report, options.out)
         if "queue" in report:
             text = fill(text, "queue", queue_table(report))
+    if options.samples:
+        dynamic = json.loads(options.dynamic.read_text(encoding="utf-8")) if options.dynamic else {}
+        report = json.loads(options.samples.read_text(encoding="utf-8"))
+        text = fill(text, "samples", sample_table(report, dynamic))
     if options.memory:
         report = json.loads(options.memory.read_text(encoding="utf-8"))
         text = fill(text, "memory of objects", memory_table(report["objectRows"]))

@@ -52,8 +52,12 @@ ScenePtr litByFixedFunction(const Scene& scene, const View& view) {
     for (int k = 0; k < 3; ++k) light.position[k] = float(view.light[k]);
     light.position.w = 1.0f;
     state->ops.depthTest = true;
-    std::vector<Instance> instances = scene.group().instances();
-    for (Instance& instance : instances) instance.state = state;
+    InstanceList instances;
+    for (const InstanceView& placed : scene.group().instances()) {
+        Instance instance = asGiven(placed);
+        instance.state = state;
+        instances.add(std::move(instance));
+    }
     auto lit = std::make_shared<const Scene>(std::move(instances), scene.precision(), 1);
     lit->prepareTiles();
     return lit;

@@ -129,7 +129,10 @@ protected:
     }
     std::vector<Instance> instances() {
         scene_ = recorder_.compileScene();
-        return scene_->group().instances();
+        std::vector<Instance> given;
+        for (const InstanceView& instance : scene_->group().instances())
+            given.push_back(asGiven(instance));
+        return given;
     }
 
     Recorder recorder_;

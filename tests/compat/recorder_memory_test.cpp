@@ -138,7 +138,7 @@ void expectEqualModels(const Model& a, const Model& b);
 void expectEqualGroups(const InstanceGroup& a, const InstanceGroup& b) {
     ASSERT_EQ(a.instances().size(), b.instances().size());
     for (std::size_t i = 0; i < a.instances().size(); ++i) {
-        const Instance &x = a.instances()[i], &y = b.instances()[i];
+        const Instance x = asGiven(a.instances()[i]), y = asGiven(b.instances()[i]);
         EXPECT_EQ(x.objectId, y.objectId);
         EXPECT_EQ(x.toParent, y.toParent);
         EXPECT_EQ(x.inherited.color, y.inherited.color);

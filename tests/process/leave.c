@@ -121,6 +121,7 @@ int main(int argc, char *argv[]) {
     if (strcmp(way, "exit") == 0) exit(0);
     if (strcmp(way, "quick_exit") == 0) quick_exit(0);
     if (strcmp(way, "_exit") == 0) _exit(0);
+    if (strcmp(way, "pthread_exit") == 0) pthread_exit(NULL);
     if (strcmp(way, "rtExit") == 0) {
         rtExit();
         rtExit();

@@ -20,7 +20,7 @@ struct OneSidedTree {
     std::size_t dropped = 0;
 
     explicit OneSidedTree(const Scene& source) : scene(source.view()) {
-        const Model& whole = *source.group().instances()[0].model;
+        const Model& whole = *source.group().instances()[0].traits->model;
         nodes = whole.kdTree().nodes;
         prims = whole.kdTree().prims;
         std::vector<uint8_t> seen(whole.triangles.size());

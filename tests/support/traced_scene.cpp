@@ -26,7 +26,7 @@ TracedScene::TracedScene(std::vector<Instance> instances, Precision precision)
     : scene_(std::move(instances), precision, 1) {
     std::vector<uint32_t> path;
     std::vector<Matrix34> chain;
-    for (const Instance& instance : scene_.group().instances()) {
+    for (const InstanceView& instance : scene_.group().instances()) {
         path.push_back(uint32_t(&instance - scene_.group().instances().data()));
         addToReference(instance, path, chain);
         path.pop_back();
@@ -34,27 +34,28 @@ TracedScene::TracedScene(std::vector<Instance> instances, Precision precision)
 }
 
 ModelView TracedScene::wideView() const {
-    for (const Instance& instance : scene_.group().instances())
-        if (instance.model) instance.model->prepareTiles();
+    for (const auto& traits : scene_.group().traits())
+        if (traits->model) traits->model->prepareTiles();
     ModelView view = scene_.view();
     view.wideReady = 1;
     return view;
 }
 
-void TracedScene::addToReference(const Instance& instance, std::vector<uint32_t>& path,
+void TracedScene::addToReference(const InstanceView& instance, std::vector<uint32_t>& path,
                                  std::vector<Matrix34>& chain) {
-    const bool identity = instance.toParent == glm::dmat4x3(1.0);
+    const glm::dmat4x3 matrix = toParent(instance);
+    const bool identity = matrix == glm::dmat4x3(1.0);
     if (!identity) {
         Matrix34 rows;
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 4; ++column) {
-                rows[std::size_t(4 * row + column)] = instance.toParent[column][row];
+                rows[std::size_t(4 * row + column)] = matrix[column][row];
             }
         }
         chain.push_back(rows);
     }
-    firstNumber_[path] = reference_.add(instance.model->triangles, chain);
-    const std::vector<Instance>& children = instance.model->children.instances();
+    firstNumber_[path] = reference_.add(instance.traits->model->triangles, chain);
+    const std::span<const InstanceView> children = instance.traits->model->children.instances();
     for (uint32_t child = 0; child < children.size(); ++child) {
         path.push_back(child);
         addToReference(children[child], path, chain);

@@ -38,7 +38,7 @@ public:
                            std::span<const Hit> hits) const;
 
 private:
-    void addToReference(const Instance& instance, std::vector<uint32_t>& path,
+    void addToReference(const InstanceView& instance, std::vector<uint32_t>& path,
                         std::vector<Matrix34>& chain);
 
     Scene scene_;

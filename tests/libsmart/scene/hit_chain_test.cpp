@@ -104,7 +104,7 @@ TEST_F(HitChainTest, PathsLeadThroughNestedModels) {
             std::array<ExactVector, 3> corners{exact(own.v0), exact(own.v1), exact(own.v2)};
             for (ExactVector& corner : corners) {
                 for (uint32_t level = levels; level-- > 0;) {
-                    corner = applied(chain.instances[level]->toParent, corner);
+                    corner = applied(toParent(*chain.instances[level]), corner);
                 }
             }
             for (int corner = 0; corner < 3; ++corner) {

@@ -18,7 +18,7 @@ TEST(SceneTest, ViewHasChildrenAndNoTriangles) {
     EXPECT_EQ(scene.view().triangles, nullptr);
     EXPECT_EQ(scene.view().tree.nodes, nullptr);
     EXPECT_EQ(scene.view().childCount, 2u);
-    EXPECT_EQ(scene.view().children, scene.group().views().data());
+    EXPECT_EQ(scene.view().children, scene.group().instances().data());
     EXPECT_EQ(scene.view().children[1].model, &model->view());
 }
 

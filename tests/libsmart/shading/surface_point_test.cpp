@@ -22,6 +22,7 @@ struct Fixture {
     ShadingData& shading = *stored;
     Model model{stored};
     std::vector<Instance> instances{1};
+    InstanceList list;
     Ray ray{{0, 0, 10}, {0, 0, -2}, 0, 1e30f};
     RTSstate state{};
 
@@ -29,12 +30,13 @@ struct Fixture {
         model.triangles = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
         shading.corners = {{0, 1, 2}};
     }
-    HitChain chain() const {
+    HitChain chain() {
+        list = InstanceList(instances);
         HitChain c{};
         c.levels = uint32_t(instances.size());
         c.toWorld = glm::dmat4x3(1.0);
         for (uint32_t i = 0; i < c.levels; ++i) {
-            c.instances[i] = &instances[i];
+            c.instances[i] = &list.views()[i];
             c.toWorld = glm::dmat4x3(glm::dmat4(c.toWorld) * glm::dmat4(instances[i].toParent));
         }
         c.model = &model;
