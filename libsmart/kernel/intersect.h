@@ -10,15 +10,15 @@ namespace smart::SMART_ISA {
 /// Woop, Benthin, Wald (2013). An edge function, a float difference of rounded products, has the
 /// exact sign unless it is zero, and then double products, which are exact, decide. That needs
 /// multiplication and subtraction to stay apart.
-template <int N>
-class Watertight {
+template <int N, class RayShear>
+class WatertightTest {
 public:
     using Rays = LocalRays<N>;
 
-    Watertight(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group)
-        : Watertight(model, rays, group, Shear<N>(rays, group)) {}
-    Watertight(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group,
-               const Shear<N>& shear)
+    WatertightTest(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group)
+        : WatertightTest(model, rays, group, RayShear(rays, group)) {}
+    WatertightTest(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group,
+                   const RayShear& shear)
         : triangles_(model.triangles), shear_(shear), rays_(rays) {
         const float maxAbs = triangleBox(model).maxAbs;
         // Weights of slivers err in float, and t with them, by a share of the triangle's depth.
@@ -142,7 +142,7 @@ private:
     }
 
     bool meetInDouble(const Triangle& triangle, int lane, float& t) const {
-        const int kx = shear_.axis(0), ky = shear_.axis(1), kz = shear_.axis(2);
+        const int kx = shear_.axis(0, lane), ky = shear_.axis(1, lane), kz = shear_.axis(2, lane);
         const double scale = 1.0 / double(rays_.dir[kz][lane]);
         const double sx = rays_.dir[kx][lane] * scale, sy = rays_.dir[ky][lane] * scale;
         const float* const vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
@@ -273,12 +273,15 @@ private:
     }
 
     const Triangle* triangles_;
-    Shear<N> shear_;
+    RayShear shear_;
     const LocalRays<N>& rays_;
     Mask<N> large_;
     bool someLarge_;
     Real<N> doubtful_;
 };
+
+template <int N>
+using Watertight = WatertightTest<N, Shear<N>>;
 
 /// Wald, "Realtime ray tracing and interactive global illumination", PhD thesis 2004, section
 /// 7.1: plane first, then two projected edges from a precomputed record. Edges may leak.
@@ -295,7 +298,8 @@ public:
         }
     }
 
-    Fast(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group, const Shear<N>&)
+    template <class RayShear>
+    Fast(const ModelView& model, const LocalRays<N>& rays, const RayGroup& group, const RayShear&)
         : Fast(model, rays, group) {}
 
     void meet(const TriangleBlock& block, const Real<1>&, const Real<1>&, BlockHits& hits) const {

@@ -44,23 +44,27 @@ public:
             Word<N>(kNoHit).store(hits_[name].triangle);
         return true;
     }
-    void open(uint32_t, int, Search<1, M, NoCounts>& query) const {
-        query.triangle[0] = kNoHit;
-        query.levels[0] = 0;
-        query.blocked = 0;
-        query.deepest = 0;
+    template <int K>
+    void open(Search<K, M, NoCounts>& query) const {
         query.lastOfEqual = scene_.lastOfEqual != 0;
         query.currentLevels = 1;
         query.currentPath[0] = 0;
     }
-    void done(uint32_t name, int lane, const Search<1, M, NoCounts>& query) {
+    void done(uint32_t name, const Search<N, M, NoCounts>& query) {
         if constexpr (M == HitMode::Any) {
-            blocked_[name] |= query.blocked << lane;
+            blocked_[name] = query.blocked;
         } else {
-            hits_[name].triangle[lane] = query.triangle[0];
-            hits_[name].levels[lane] = 1;
-            hits_[name].path[0][lane] = 0;
+            HitPacket& hits = hits_[name];
+            __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
+            Word<N>(1u).store(hits.levels);
+            Word<N>(0u).store(hits.path[0]);
         }
+    }
+    void done(uint32_t name, int lane, const Search<1, M, NoCounts>& query) {
+        if constexpr (M == HitMode::Any)
+            blocked_[name] |= query.blocked << lane;
+        else
+            hits_[name].triangle[lane] = query.triangle[0];
     }
 
 private:

@@ -9,116 +9,15 @@
 // units", HPG 2017, for compressing the boxes that were met onto the stack.
 #pragma once
 
+#include "libsmart/kernel/packet_descent.h"
 #include "libsmart/kernel/scene_traversal.h"
 
 namespace smart::SMART_ISA {
 
-/// The rays of a packet, whatever their directions, against one box after the other.
-class MixedPacket {
-public:
-    static constexpr int N = kPacketSize;
-
-    MixedPacket(const BoxView& box, const LocalRays<N>& rays, float padding) {
-        const Real<N> zero(0.0f);
-        Real<N> scale(box.maxAbs), size[3];
-        for (int k = 0; k < 3; ++k) scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
-        const Real<N> pad = scale * Real<N>(padding);
-        pad_ = pad;
-        for (int k = 0; k < 3; ++k) {
-            const Real<N> dir = Real<N>::load(rays.dir[k]), org = Real<N>::load(rays.org[k]);
-            size[k] = magnitude(dir);
-            negative_[k] = dir < zero;
-            reciprocal_[k] = boundedReciprocal(dir);
-            enterOrg_[k] = select(negative_[k], org - pad, org + pad);
-            leaveOrg_[k] = select(negative_[k], org + pad, org - pad);
-        }
-        const Mask<N> x = (size[0] >= size[1]) & (size[0] >= size[2]);
-        axis1_ = andNot(size[1] >= size[2], x).bits();
-        axis2_ = ~(x.bits() | axis1_);
-        slack_ = (Real<N>(box.maxAbs) + scale) * Real<N>(0x1p-15f) /
-                 max(max(size[0], size[1]), size[2]);
-        slack_ = min(slack_, Real<N>(0x1p126f));
-        const Mask<N> first = x, second = Mask<N>::fromBits(axis1_);
-        Real<N> d[3];
-        for (int k = 0; k < 3; ++k) d[k] = Real<N>::load(rays.dir[k]);
-        const Real<N> z = select(first, d[0], select(second, d[1], d[2]));
-        (Real<N>(1.0f) / z).store(lanes_.slopes[2]);
-        (select(first, d[1], select(second, d[2], d[0])) / z).store(lanes_.slopes[0]);
-        (select(first, d[2], select(second, d[0], d[1])) / z).store(lanes_.slopes[1]);
-        for (int k = 0; k < 3; ++k) {
-            negativeBits_[k] = negative_[k].bits();
-            reciprocal_[k].store(lanes_.reciprocal[k]);
-            enterOrg_[k].store(lanes_.enterOrg[k]);
-            leaveOrg_[k].store(lanes_.leaveOrg[k]);
-        }
-    }
-
-    HWY_INLINE Mask<N> meet(const WideNode& node, uint32_t slot, const Real<N>& near,
-                            const Real<N>& far, Real<N>& from) const {
-        Real<N> to = far;
-        from = near;
-        for (int k = 0; k < 3; ++k) {
-            const Real<N> lo(node.lo[k][slot]), hi(node.hi[k][slot]);
-            const Real<N> first = select(negative_[k], hi, lo);
-            const Real<N> last = select(negative_[k], lo, hi);
-            from = max(from, (first - enterOrg_[k]) * reciprocal_[k]);
-            to = min(to, (last - leaveOrg_[k]) * reciprocal_[k]);
-        }
-        return from <= to;
-    }
-
-    /// One lane of it.
-    void take(int lane, RayGroup& group, TreeRays<1>& ray, RaySlopes& slopes) const {
-        slopes = {lanes_.slopes[0][lane], lanes_.slopes[1][lane], lanes_.slopes[2][lane]};
-        group.lanes = 1;
-        group.dominantAxis = int((axis1_ >> lane & 1) + 2 * (axis2_ >> lane & 1));
-        for (int k = 0; k < 3; ++k) {
-            group.negative[k] = (negativeBits_[k] >> lane & 1) != 0;
-            ray.reciprocal[k].v = lanes_.reciprocal[k][lane];
-            ray.enterOrg[k].v = lanes_.enterOrg[k][lane];
-            ray.leaveOrg[k].v = lanes_.leaveOrg[k][lane];
-        }
-    }
-
-    /// See Horizon.
-    const Real<N>& slack() const { return slack_; }
-
-    /// Bounds of what the rays given can meet between 0 and `far`.
-    void bound(const LocalRays<N>& rays, const Real<N>& far, uint32_t lanes, float* lo,
-               float* hi) const {
-        const Mask<N> on = Mask<N>::fromBits(lanes);
-        const Real<N> zero(0.0f), inf(__builtin_inff()), none(-__builtin_inff());
-        for (int k = 0; k < 3; ++k) {
-            const Real<N> org = Real<N>::load(rays.org[k]), dir = Real<N>::load(rays.dir[k]);
-            const Real<N> end = org + dir * far;
-            const Real<N> slip = magnitude(end) * Real<N>(0x1p-20f);
-            const Real<N> first = select(negative_[k], end - slip, org);
-            const Real<N> last = select(dir > zero, end + slip, org);
-            lo[k] = smallestLane(select(on, first - pad_, inf));
-            hi[k] = largestLane(select(on, last + pad_, none));
-        }
-    }
-
-private:
-    Real<N> slack_, pad_;
-    Real<N> reciprocal_[3], enterOrg_[3], leaveOrg_[3];
-    Mask<N> negative_[3];
-    uint32_t negativeBits_[3], axis1_, axis2_;
-    struct alignas(64) {
-        float reciprocal[3][N], enterOrg[3][N], leaveOrg[3][N], slopes[3][N];
-    } lanes_;
-};
-
-/// Rays of one packet in a model's space, with their queries' limits.
-struct alignas(64) FlightPacket {
-    LocalRays<kPacketSize> rays;
-    alignas(64) float near[kPacketSize], far[kPacketSize];
-    uint32_t lanes; ///< those that carry a ray
-};
-
 /// Source: bool next(FlightPacket&, uint32_t& name), which gives a packet and its name, or none
-/// any more; void open(name, lane, Search<1>&), which fills in what a query knows besides its
-/// limits; void done(name, lane, const Search<1>&).
+/// any more; void open(Search<N>&), which fills in what a query knows besides its limits;
+/// void done(name, const Search<16>&) of the packet, then done(name, lane, const Search<1>&) of those
+/// of its rays that went on alone.
 template <template <int> class Precision, HitMode M, class Source>
 class RaysInFlight {
 public:
@@ -143,15 +42,13 @@ public:
     }
 
 private:
-    static constexpr uint32_t kRays = 48;
-    /// So many rays of a packet go on together; so many nodes they open, at most.
-    static constexpr int kTogether = 8, kTogetherNodes = 24;
+    static constexpr uint32_t kRays = 32;
     static constexpr uint32_t kNothing = 0xFFFFFFFFu; ///< at the bottom of each stack
-    /// What a packet leaves behind, what a ray alone pushes, and a whole group written from there
-    /// on. The odd size keeps stacks out of each other's sets in the cache.
-    static constexpr int kStack = kTogetherNodes * kWideChildren + kWideMaxDepth * kWideChildren +
-                                  kPacketSize + 48;
+    /// What a packet leaves to a ray, what a ray alone pushes, and a whole group written behind it.
+    static constexpr int kStack =
+        1 + kDescentNodes * kWideChildren + kWideMaxDepth * kWideChildren + kPacketSize;
     using Traversal = SceneTraversal<Precision, 1, M, NoCounts>;
+    using Descent = PacketDescent<Precision, M>;
 
     struct Flight {
         LocalRays<1> ray;
@@ -174,47 +71,72 @@ private:
         }
     };
 
-    /// Gives the rays of a packet to idle flights.
+    /// Traces the rays of a packet together, and gives what is left to idle flights.
     [[gnu::noinline]] bool launch() {
         FlightPacket packet;
         uint32_t name;
         if (!source_.next(packet, name)) return false;
         if (!packet.lanes) return true;
-        const WideView& tree = model_.wide;
-        const MixedPacket mixed(tree, packet.rays, Traversal::kPadding);
-        alignas(64) float slack[N];
-        mixed.slack().store(slack);
+        Descent descent(model_, packet, Traversal::kPadding);
+        typename Descent::Query found;
+        __builtin_memcpy(found.tNear, packet.near, sizeof found.tNear);
+        Word<N>(kNoHit).store(found.triangle);
+        source_.open(found);
+        descent.run(found);
+        source_.done(name, found);
         Flight* flights[N];
-        for (uint32_t rest = packet.lanes; rest; rest &= rest - 1) {
-            const int lane = lowestBit(rest);
-            Flight& flight = flights_[idle_[--idleCount_]];
-            flights[lane] = &flight;
+        for (int lane = 0; lane < N; ++lane) {
+            flights[lane] = &flights_[idle_[idleCount_ - 1 - uint32_t(lane)]];
+            flights[lane]->top = 0;
+        }
+        uint32_t rest = 0;
+        descent.eachLeft([&](int lane, uint32_t child, float from) HWY_ATTR {
+            Flight& flight = *flights[lane];
+            flight.from[flight.top + 1] = from;
+            flight.child[flight.top + 1] = child;
+            const bool awaits = from <= descent.far[lane];
+            flight.top += awaits;
+            rest |= uint32_t(awaits) << lane;
+        });
+        if (!rest) return true;
+        descent.best.store(found.best);
+        alignas(64) float slopes[3][N];
+        for (int k = 0; k < 3; ++k) descent.shear.slope(k).store(slopes[k]);
+        idleCount_ -= N;
+        for (int lane = 0; lane < N; ++lane) {
+            Flight& flight = *flights[lane];
+            if (!(rest >> lane & 1)) {
+                idle_[idleCount_++] = uint32_t(&flight - flights_);
+                continue;
+            }
             takeLane(packet.rays, lane, flight.ray);
-            RaySlopes slopes;
-            mixed.take(lane, flight.group, flight.tree, slopes);
-            new (flight.precision) Precision<1>(model_, flight.ray, flight.group,
-                                                Shear<1>(flight.ray, flight.group, slopes));
-            flight.query.tNear[0] = packet.near[lane];
-            flight.query.best[0] = packet.far[lane];
-            flight.best = Real<1>(packet.far[lane]);
+            flight.group.lanes = 1;
+            flight.group.dominantAxis = descent.shear.dominantAxis(lane);
+            descent.rays.take(lane, flight.group, flight.tree);
+            new (flight.precision) Precision<1>(
+                model_, flight.ray, flight.group,
+                Shear<1>(flight.ray, flight.group,
+                         {slopes[0][lane], slopes[1][lane], slopes[2][lane]}));
+            flight.slack = Real<1>(descent.rays.slack[lane]);
+            flight.best = Real<1>(found.best[lane]);
             flight.packet = name;
             flight.lane = lane;
-            source_.open(name, lane, flight.query);
-            flight.slack = Real<1>(slack[lane]);
-            flight.far = (flight.best + flight.slack).v;
-            packet.far[lane] = flight.far;
-            flight.from[0] = -__builtin_inff();
+            Query& query = flight.query;
+            source_.open(query);
+            query.blocked = 0;
+            query.deepest = 0;
+            query.tNear[0] = packet.near[lane];
+            query.best[0] = found.best[lane];
+            query.triangle[0] = found.triangle[lane];
+            query.levels[0] = query.currentLevels;
+            for (uint32_t l = 0; l < query.currentLevels; ++l)
+                query.path[l][0] = query.currentPath[l];
+            flight.far = descent.far[lane];
             flight.child[0] = kNothing;
-            flight.top = 0;
-        }
-        const uint32_t idle = idleCount_;
-        together(packet, mixed, flights);
-        for (uint32_t rest = packet.lanes; rest; rest &= rest - 1) {
-            Flight& flight = *flights[lowestBit(rest)];
+            flight.from[0] = -__builtin_inff();
             if (M == HitMode::Closest) raiseNearest(flight);
             join(uint32_t(&flight - flights_));
         }
-        finish(idle);
         return true;
     }
 
@@ -224,55 +146,6 @@ private:
             Flight& flight = flights_[idle_[before]];
             flight.query.best[0] = flight.best.v;
             source_.done(flight.packet, flight.lane, flight.query);
-        }
-    }
-
-    /// Opens nodes for all rays of a packet while enough of them meet each; what is left goes onto
-    /// the rays' own stacks.
-    void together(const FlightPacket& packet, const MixedPacket& mixed, Flight* const* flights) {
-        struct Entry {
-            uint32_t child, lanes;
-        };
-        Entry stack[kTogetherNodes * kWideChildren];
-        int top = 0, opened = 0;
-        const auto give = [&](uint32_t child, uint32_t lanes, const float* from) {
-            for (; lanes; lanes &= lanes - 1) {
-                const int lane = lowestBit(lanes);
-                Flight& flight = *flights[lane];
-                ++flight.top;
-                flight.from[flight.top] = from[lane];
-                flight.child[flight.top] = child;
-            }
-        };
-        stack[top++] = {0, packet.lanes};
-        const Real<N> near = Real<N>::load(packet.near), far = Real<N>::load(packet.far);
-        alignas(64) float from[N];
-        float lo[3], hi[3];
-        mixed.bound(packet.rays, far, packet.lanes, lo, hi);
-        while (top > 0) {
-            const Entry entry = stack[--top];
-            if (opened == kTogetherNodes || __builtin_popcount(entry.lanes) < kTogether) {
-                give(entry.child, entry.lanes, packet.near);
-                continue;
-            }
-            ++opened;
-            const WideNode& node = model_.wide.nodes[entry.child];
-            Mask<N> inReach = Real<N>::load(node.lo[0]) <= Real<N>::load(node.hi[0]);
-            for (int k = 0; k < 3; ++k)
-                inReach = inReach & (Real<N>::load(node.lo[k]) <= Real<N>(hi[k])) &
-                          (Real<N>::load(node.hi[k]) >= Real<N>(lo[k]));
-            for (uint32_t rest = inReach.bits(); rest; rest &= rest - 1) {
-                const uint32_t slot = uint32_t(lowestBit(rest)), child = node.child[slot];
-                Real<N> entered;
-                const uint32_t lanes =
-                    entry.lanes & mixed.meet(node, slot, near, far, entered).bits();
-                if (!(child & kWideLeaf) && __builtin_popcount(lanes) >= kTogether) {
-                    stack[top++] = {child, lanes};
-                } else if (lanes) {
-                    entered.store(from);
-                    give(child, lanes, from);
-                }
-            }
         }
     }
 
@@ -369,16 +242,26 @@ private:
             flight.top = flight.query.blocked ? 0 : flight.top;
         } else if (flight.best.v < before.v) {
             flight.far = (flight.best + flight.slack).v;
-            int kept = 1;
-            for (int i = 1; i <= flight.top; ++i) {
-                const float from = flight.from[i];
-                const uint32_t child = flight.child[i];
-                flight.from[kept] = from;
-                flight.child[kept] = child;
-                kept += from <= flight.far;
-            }
-            flight.top = kept - 1;
+            dropFarther(flight);
         }
+    }
+
+    /// Takes from the stack what begins too far away.
+    static HWY_INLINE void dropFarther(Flight& flight) {
+        using R = Real<kPacketSize>;
+        const R far(flight.far);
+        int kept = 1;
+        for (int i = 1; i <= flight.top; i += kPacketSize) {
+            const R from = R::loadUnaligned(flight.from + i);
+            const int left = flight.top + 1 - i;
+            const uint32_t stay = (from <= far).bits() &
+                                  ((left < kPacketSize ? 1u << left : 0u) - 1u);
+            const Mask<kPacketSize> mask = Mask<kPacketSize>::fromBits(stay & 0xFFFFu);
+            compressStore(mask, Word<kPacketSize>::loadUnaligned(flight.child + i),
+                          flight.child + kept);
+            kept += compressStore(mask, from, flight.from + kept);
+        }
+        flight.top = kept - 1;
     }
 
     const ModelView& model_;

@@ -83,8 +83,8 @@ public:
     /// Distance for each unit of depth (z).
     const Real<N>& scale() const { return sz_; }
     const Real<N>& depthOrigin() const { return oz_; }
-    /// Which axis of the model became x, y and z.
-    int axis(int k) const { return k == 0 ? kx_ : k == 1 ? ky_ : kz_; }
+    /// Which axis of the model became x, y and z, for a lane.
+    int axis(int k, int) const { return k == 0 ? kx_ : k == 1 ? ky_ : kz_; }
 
 private:
     HWY_INLINE void vertex(const float* v, Real<N>* r) const {

@@ -102,6 +102,12 @@ struct Word<kPacketSize> {
             r.v[i] = hn::Load(WordTag(), aligned + i * kRegisterLanes);
         return r;
     }
+    static Word loadUnaligned(const uint32_t* p) {
+        Word r;
+        for (int i = 0; i < kRegisters; ++i)
+            r.v[i] = hn::LoadU(WordTag(), p + i * kRegisterLanes);
+        return r;
+    }
     void store(uint32_t* aligned) const {
         for (int i = 0; i < kRegisters; ++i)
             hn::Store(v[i], WordTag(), aligned + i * kRegisterLanes);
@@ -197,6 +203,13 @@ inline Mask<kPacketSize> operator!=(const Word<kPacketSize>& a, const Word<kPack
     Mask<kPacketSize> r;
     for (int i = 0; i < kRegisters; ++i)
         r.m[i] = hn::RebindMask(Tag(), hn::Ne(a.v[i], b.v[i]));
+    return r;
+}
+/// Lanes that have one of the bits given.
+inline Mask<kPacketSize> withBit(const Word<kPacketSize>& a, uint32_t bit) {
+    Mask<kPacketSize> r;
+    for (int i = 0; i < kRegisters; ++i)
+        r.m[i] = hn::RebindMask(Tag(), hn::TestBit(a.v[i], hn::Set(WordTag(), bit)));
     return r;
 }
 /// The smallest lanes of four: together, as neighbours are halved in all of them at once.

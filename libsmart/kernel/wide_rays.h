@@ -14,6 +14,8 @@
 // it: see Horizon.
 #pragma once
 
+#include <cstddef>
+
 #include "libsmart/kernel/kd_traversal.h"
 
 namespace smart::SMART_ISA {
@@ -40,6 +42,16 @@ private:
     Real<N> slack_;
 };
 
+/// Floats before WideNode::child: lo and, as many again, hi.
+inline constexpr uint32_t kPlanesOfNode = 6 * kWideChildren;
+static_assert(offsetof(WideNode, hi) == kPlanesOfNode / 2 * sizeof(float));
+
+/// The planes of a node's boxes that a ray passes first on an axis, by address: rays that take turns
+/// have signs that no branch could predict.
+HWY_INLINE const float* nearPlanes(const WideNode& node, int axis, bool negative) {
+    return &node.lo[0][0] + uint32_t(axis * kWideChildren) + kPlanesOfNode / 2 * negative;
+}
+
 /// Which boxes of a node a ray meets between `near` and `far`, and from what distance on. Places
 /// without a child are none of them, whatever the ray.
 HWY_INLINE Mask<kPacketSize> meetBoxes(const WideNode& node, const TreeRays<1>& ray, float near,
@@ -49,8 +61,8 @@ HWY_INLINE Mask<kPacketSize> meetBoxes(const WideNode& node, const TreeRays<1>& 
     from = R(near);
     for (int k = 0; k < 3; ++k) {
         const bool negative = ray.group.negative[k];
-        const R first = R::load(negative ? node.hi[k] : node.lo[k]);
-        const R last = R::load(negative ? node.lo[k] : node.hi[k]);
+        const R first = R::load(nearPlanes(node, k, negative));
+        const R last = R::load(nearPlanes(node, k, !negative));
         const R reciprocal(ray.reciprocal[k].v);
         from = max(from, (first - R(ray.enterOrg[k].v)) * reciprocal);
         to = min(to, (last - R(ray.leaveOrg[k].v)) * reciprocal);
