@@ -53,9 +53,9 @@ def split_parameters(text):
 
 def parameter(text):
     text = " ".join(text.split())
-    callback = re.match(r"(void)\(RTAPIENTRY \*(\w+)\)(\(.*\))$", text)
+    callback = re.match(r"(\w+) ?\((?:RTAPIENTRY )?\*(\w+)\)(\(.*\))$", text)
     if callback:
-        return Parameter(f"void(RTAPIENTRY *){callback.group(3)}", callback.group(2))
+        return Parameter(f"{callback.group(1)}(RTAPIENTRY *){callback.group(3)}", callback.group(2))
     kind, name, array = re.match(r"(.*?)(\w+)(\[\d*\])?$", text).groups()
     return Parameter(kind.strip() + (" *" if array else ""), name)
 
