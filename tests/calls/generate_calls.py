@@ -142,7 +142,7 @@ def value(expression, parameter, kind):
     if expression in ("list", "texture", "buffer"):
         return "Value::of(1)"
     if expression == "scene":
-        return "Value::ofScene()"
+        return "Value::of(Made::Scene)"
     if expression == "surfaceClass":
         return 'Value::of("DiffuseShader")'
     if expression == "color":
@@ -161,9 +161,9 @@ def value(expression, parameter, kind):
 
 def argument(function, i, parameter, kind):
     if function.name == "rtuDeleteQuadric":
-        return "args[0].p ? rtuNewQuadric() : nullptr"
+        return "args[0].as<RTUquadric *>() ? rtuNewQuadric() : nullptr"
     if function.name == "rtuDeleteTess":
-        return "args[0].p ? rtuNewTess() : nullptr"
+        return "args[0].as<RTUtesselator *>() ? rtuNewTess() : nullptr"
     kinds = kind
     if kinds in ("ErrorCallback", "FrameCallback"):
         return f"args[{i}].p ? {kind[0].lower() + kind[1:]} : nullptr"

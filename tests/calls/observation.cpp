@@ -62,13 +62,14 @@ void Observation::addState() {
         while (count > 1 && values[count - 1] == 0) --count;
         add(inHex("state", token), values, count);
     }
-    for (const RTenum token : apiTokens()) {
+    for (const RTenum token :
+         {RT_VERTEX_ARRAY_POINTER, RT_NORMAL_ARRAY_POINTER, RT_COLOR_ARRAY_POINTER,
+          RT_TEXTURE_COORD_ARRAY_POINTER, RT_EDGE_FLAG_ARRAY_POINTER, RT_INDEX_ARRAY_POINTER,
+          RT_FEEDBACK_BUFFER_POINTER, RT_SELECTION_BUFFER_POINTER}) {
         void* pointer = nullptr;
-        if (token < RT_FEEDBACK_BUFFER_POINTER || token > RT_SELECTION_BUFFER_POINTER + 0x200)
-            continue;
-        rtGetPointerv(token, &pointer);
+        rtGetPointerv(RTenum(token), &pointer);
         const double address = double(reinterpret_cast<uintptr_t>(pointer));
-        add(inHex("pointer", token), &address, 1);
+        add(inHex("pointer", RTenum(token)), &address, 1);
     }
 }
 

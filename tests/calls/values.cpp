@@ -26,6 +26,7 @@ RTray rays[64];
 RTuint compiled = 0;
 RTUquadric* quadric = nullptr;
 RTUtesselator* tess = nullptr;
+RTcontext context = nullptr;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -129,9 +130,9 @@ std::vector<Value> make(Kind kind) {
         copied.structSize = sizeof copied;
         copied.name = "Copied";
         return memories({&empty, &copied, nullptr});
-    case Kind::Context: return memories({rtGetCurrentContext(), nullptr, scratch});
-    case Kind::Quadric: return memories({quadric, nullptr});
-    case Kind::Tess: return memories({tess, nullptr});
+    case Kind::Context: return {Value::of(Made::Context), Value{}, Value::of(scratch)};
+    case Kind::Quadric: return {Value::of(Made::Quadric), Value{}};
+    case Kind::Tess: return {Value::of(Made::Tess), Value{}};
     case Kind::Nurbs: return memories({nullptr});
     case Kind::ErrorCallback:
     case Kind::FrameCallback:
@@ -140,8 +141,6 @@ std::vector<Value> make(Kind kind) {
     }
     return {Value{}};
 }
-
-std::vector<Value> tables[std::size_t(Kind::kCount)];
 
 RTuint shaderOf(const char* className) {
     rtGenNewShaderClass(className, nullptr);
@@ -152,9 +151,19 @@ RTuint shaderOf(const char* className) {
 
 RTuint Value::compiledScene() { return compiled; }
 
+const void* Value::pointer() const {
+    switch (made) {
+    case Made::Context: return context;
+    case Made::Quadric: return quadric;
+    case Made::Tess: return tess;
+    default: return p;
+    }
+}
+
 const std::vector<Value>& valuesOf(Kind kind) {
     static const bool filled = (fillMemory(), true);
     (void)filled;
+    static std::vector<Value> tables[std::size_t(Kind::kCount)];
     std::vector<Value>& values = tables[std::size_t(kind)];
     if (values.empty()) values = make(kind);
     return values;
@@ -212,8 +221,7 @@ void prepareContext() {
     compiled = rtCompileScene();
     if (!quadric) quadric = rtuNewQuadric();
     if (!tess) tess = rtuNewTess();
-    for (const Kind kind : {Kind::Context, Kind::Quadric, Kind::Tess})
-        tables[std::size_t(kind)] = make(kind);
+    context = rtGetCurrentContext();
     while (rtGetError() != RT_NO_ERROR) {
     }
 }

@@ -3,7 +3,9 @@
 // trying, all of which keep the promises that a caller has to keep (memory is as large as said).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "openrt/rt.h"
@@ -20,32 +22,36 @@ enum class Kind {
     kCount
 };
 
+/// What prepareContext() makes anew each time.
+enum class Made { Nothing, Scene, Context, Quadric, Tess };
+
 /// An argument of any type.
 struct Value {
     int64_t i = 0;
     double d = 0;
     const void* p = nullptr;
-    bool scene = false; ///< the handle of the compiled scene
+    Made made = Made::Nothing;
 
-    static Value of(int64_t number) { return {number, double(number), nullptr, false}; }
+    static Value of(int64_t number) { return {number, double(number), nullptr, Made::Nothing}; }
     static Value of(int number) { return of(int64_t(number)); }
-    static Value of(double number) { return {0, number, nullptr, false}; }
+    static Value of(double number) { return {0, number, nullptr, Made::Nothing}; }
     static Value of(std::nullptr_t) { return {}; }
-    static Value of(const void* memory) { return {0, 0, memory, false}; }
-    static Value ofScene() { return {0, 0, nullptr, true}; }
+    static Value of(const void* memory) { return {0, 0, memory, Made::Nothing}; }
+    static Value of(Made what) { return {0, 0, nullptr, what}; }
 
     template <class T>
     T to() const {
-        if (scene) return T(compiledScene());
+        if (made == Made::Scene) return T(compiledScene());
         if constexpr (std::is_floating_point_v<T>) return T(d);
         else return T(i);
     }
     template <class T>
     T as() const {
-        return reinterpret_cast<T>(reinterpret_cast<uintptr_t>(p));
+        return reinterpret_cast<T>(reinterpret_cast<uintptr_t>(pointer()));
     }
 
 private:
+    const void* pointer() const;
     static RTuint compiledScene();
 };
 

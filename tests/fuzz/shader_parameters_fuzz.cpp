@@ -78,7 +78,8 @@ void makeShader(const std::vector<std::string>& names, Input& input) {
     default: break;
     }
     rtBegin(RT_TRIANGLES);
-    for (const float (&v)[3] : {{-1.f, -1.f, 0.f}, {1.f, -1.f, 0.25f}, {0.f, 1.f, -0.25f}}) {
+    static const float corners[3][3] = {{-1, -1, 0}, {1, -1, 0.25f}, {0, 1, -0.25f}};
+    for (const float(&v)[3] : corners) {
         setParameters(*shaderClass, input); // per triangle and per vertex too
         rtTexCoord2f(numberOf(input), v[1]);
         rtVertex3fv(v);
