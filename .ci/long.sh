@@ -38,6 +38,8 @@ run_long() {
     long_step accuracy $release/bin/openrt-accuracy --rays 10000000 \
         --json "$figures/accuracy.json"
     long_step start python3 -B tests/figures/start.py $release --json "$figures/start.json"
+    long_step "reproducible build" python3 -B tests/figures/reproducible.py \
+        --json "$figures/reproducible.json"
     long_step coverage python3 -B tests/figures/coverage.py build/coverage \
         --json "$figures/coverage.json"
     if [ ${#long_failures[@]} -gt 0 ]; then

@@ -148,6 +148,9 @@ def sizes():
              f"{start['true_ms']['median']} ms)" if start else NOT_RUN],
             ["from a bare Debian 12 to the first picture, by `./demo`",
              f"{bare['minutes']} minutes ({bare['machine']})" if bare else NOT_RUN]]
+    twice = read("reproducible.json")
+    rows.append(["two builds of the library in different folders",
+                 NOT_RUN if not twice else "equal" if twice["equal"] else "different"])
     if coverage:
         share = 100 * coverage["covered"] / coverage["lines"]
         which = f", by the tests `{coverage['tests']}` only" if "tests" in coverage else ""
