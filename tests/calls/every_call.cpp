@@ -79,7 +79,7 @@ std::vector<Variant> variantsOf(const ApiFunction& function, bool whole) {
 class FreshContext {
 public:
     FreshContext() {
-        std::memset(scratch, 0, kSide * kSide * 16);
+        std::memset(framePixels, 0, sizeof framePixels);
         context_ = rtCreateContext();
         rtMakeCurrent(context_);
         prepareContext();
@@ -189,9 +189,10 @@ void Trials::runElsewhere() {
     }
     {
         FreshContext context;
-        const bool ended = inChild([this] {
+        const std::size_t faults = result_.faults.size();
+        const bool ended = inChild([this, faults] {
             callAll("in the child of a fork", {});
-            return result_.faults.empty() ? 0 : 1;
+            return result_.faults.size() == faults ? 0 : 1;
         });
         if (!ended) fault("in the child of a fork", "it did not end well", "");
         result_.callsAt["in the child of a fork"] += long(apiFunctions().size());

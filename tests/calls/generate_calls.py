@@ -114,7 +114,7 @@ def kind_of(function, parameter):
     if COUNTING.get(function.name) == parameter.name:
         return "Count"
     if parameter.name in COUNTS and (points or function.name.startswith(("rtu", "rtArray", "rtDraw"))):
-        return "Count"
+        return "Size" if parameter.base == "RTuint" else "Count"
     if parameter.base == "RTuint":
         return "Token" if parameter.name in ("format", "what") else "Id"
     return "Count" if points and parameter.base in ("RTsizei", "RTsizeiptr", "RTintptr") else "Integer"

@@ -171,7 +171,7 @@ Observation Observation::now() {
     clearErrors();
     seen.addScene();
     double sum = 0;
-    for (unsigned i = 0; i < kSide * kSide * 4; ++i) sum += double(i % 251 + 1) * scratch[i];
+    for (unsigned i = 0; i < sizeof framePixels; ++i) sum += double(i % 251 + 1) * framePixels[i];
     seen.add("frame buffer", &sum, 1);
     return seen;
 }

@@ -8,7 +8,7 @@
 
 namespace openrt::test {
 
-unsigned char scratch[16 << 20];
+unsigned char framePixels[kSide * kSide * 4];
 unsigned callbacks = 0;
 
 namespace {
@@ -16,6 +16,7 @@ namespace {
 // As large as any image of the sides and skips below.
 constexpr std::size_t kMemory = 1 << 20;
 unsigned char zeroBytes[kMemory], mixedBytes[kMemory];
+unsigned char scratch[16 << 20]; // whatever calls write
 float floatArray[256], wildFloats[256], smallFloats[256];
 double doubleArray[256], wildDoubles[256];
 RTint intArray[256], wildInts[256];
@@ -94,6 +95,7 @@ std::vector<Value> make(Kind kind) {
         return numbers({1, 0, 2, 3, 5, 7, 16, 100, 255, 4096, -1, -2, 65536, INT_MAX, INT_MIN});
     case Kind::Id: return numbers({1, 0, 2, 3, 4, 5, 6, 7, 0x7FFFFFFF, 0xFFFFFFFE, 0xFFFFFFFF});
     case Kind::Count: return numbers({1, 0, 2, 3, 4, 5, 8, 16, -1, INT_MIN});
+    case Kind::Size: return numbers({1, 0, 2, 3, 4, 8, 12, 16, 64, 4096});
     case Kind::Samples: return numbers({2, 0, 1, 4, 4097, 0xFFFFFFFF});
     case Kind::Threads: return numbers({2, 1, 1025, 0xFFFFFFFF});
     case Kind::Depth: return numbers({3, 0, 1, 2, 0xFFFFFFFF});
@@ -194,7 +196,7 @@ void frameCallback(RTuint, RTenum, RTint, RTint, RTsizei, RTsizei, void*) {}
 void prepareContext() {
     valuesOf(Kind::Floats);
     rtThreads(1);
-    rtSetFrameBuffer(scratch, kSide, kSide, RT_RGBA_8);
+    rtSetFrameBuffer(framePixels, kSide, kSide, RT_RGBA_8);
     shaderOf("DiffuseShader");
     shaderOf("PointLight");
     shaderOf("PinholeCameraShader");

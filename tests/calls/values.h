@@ -15,7 +15,7 @@
 namespace openrt::test {
 
 enum class Kind {
-    Token, Bits, Number, Integer, Id, Count, Samples, Threads, Depth, Recursion, Side, // numbers
+    Token, Bits, Number, Integer, Id, Count, Size, Samples, Threads, Depth, Recursion, Side, // numbers
     Floats, Doubles, Ints, Ids, Counts, Image, Indices, Pointers, Out,                 // memory
     Text, FileName, Rays, RayStream, HitStream, Descriptor, Context, Quadric, Tess, Nurbs,
     ErrorCallback, FrameCallback, Function,
@@ -74,8 +74,8 @@ struct ApiFunction {
 const std::vector<RTenum>& apiTokens();
 
 inline constexpr unsigned kSide = 16;
-/// Frame buffers, and whatever calls write.
-extern unsigned char scratch[];
+/// The frame buffer of prepareContext(), RT_RGBA_8.
+extern unsigned char framePixels[kSide * kSide * 4];
 
 /// What the first values and the legal arguments refer to: class, surface, light, camera and
 /// environment shader 1 to 4, object, texture, list and buffer 1, a compiled scene, a frame buffer.

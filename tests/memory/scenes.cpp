@@ -248,7 +248,10 @@ void backToStart() {
     rtEnd();
     rtEndList();
     rtEndObject();
-    rtFinish();
+    rtEndRendering();
+    static RTubyte unseen[4];
+    rtSetFrameBuffer(unseen, 1, 1, RT_RGBA_8);
+    rtRender(); // uses up what was given of a scene
     for (int i = 0; i < 8; ++i) rtPopAttrib();
     for (const RTenum mode : {RT_PROJECTION, RT_MODELVIEW}) {
         rtMatrixMode(RTenum(mode));
@@ -269,7 +272,6 @@ void backToStart() {
     rtObjectHint(RT_BUILD_QUALITY, RT_DONT_CARE);
     rtObjectHint(RT_LAZY_BUILD, RT_FALSE);
     rtRasterPos3f(0, 0, 0);
-    rtFinish();
     while (rtGetError() != RT_NO_ERROR) {
     }
 }
