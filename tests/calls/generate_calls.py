@@ -64,6 +64,7 @@ COUNTING = {"rtPixelStorei": "param", "rtPixelStoref": "param"}
 # Parameters with values of their own.
 OWN = {("rtSamples", "n"): "Samples", ("rtThreads", "n"): "Threads", ("rtFrameDepth", "n"): "Depth",
        ("rtRecursionLimit", "n"): "Recursion", ("rtSetFrameBuffer", "width"): "Side",
+       ("rtFrameBufferStride", "bytes"): "Stride",
        ("rtSetFrameBuffer", "height"): "Side", ("rtBufferData", "data"): "Indices",
        ("rtBufferSubData", "data"): "Indices", ("rtuCheckExtension", "extName"): "Text",
        ("rtuCheckExtension", "extString"): "Text", ("rtGenNewShaderClass", "fileName"): "FileName",

@@ -8,7 +8,7 @@
 
 namespace openrt::test {
 
-unsigned char framePixels[kSide * kSide * 4];
+unsigned char framePixels[kFrameBytes];
 unsigned callbacks = 0;
 
 namespace {
@@ -101,6 +101,7 @@ std::vector<Value> make(Kind kind) {
     case Kind::Depth: return numbers({3, 0, 1, 2, 0xFFFFFFFF});
     case Kind::Recursion: return numbers({3, 0, 1, 8, 257, 0xFFFFFFFF});
     case Kind::Side: return numbers({16, 0, 1, 7, 33});
+    case Kind::Stride: return numbers({0, 64, 128, 512, 63, 3, -1, INT_MIN});
     case Kind::Floats: return memories({floatArray, smallFloats, wildFloats, nullptr});
     case Kind::Doubles: return memories({doubleArray, wildDoubles, nullptr});
     case Kind::Ints: return memories({intArray, wildInts, nullptr});

@@ -15,7 +15,7 @@
 namespace openrt::test {
 
 enum class Kind {
-    Token, Bits, Number, Integer, Id, Count, Size, Samples, Threads, Depth, Recursion, Side, // numbers
+    Token, Bits, Number, Integer, Id, Count, Size, Samples, Threads, Depth, Recursion, Side, Stride, // numbers
     Floats, Doubles, Ints, Ids, Counts, Image, Indices, Pointers, Out,                 // memory
     Text, FileName, Rays, RayStream, HitStream, Descriptor, Context, Quadric, Tess, Nurbs,
     ErrorCallback, FrameCallback, Function,
@@ -74,8 +74,9 @@ struct ApiFunction {
 const std::vector<RTenum>& apiTokens();
 
 inline constexpr unsigned kSide = 16;
-/// The frame buffer of prepareContext(), RT_RGBA_8.
-extern unsigned char framePixels[kSide * kSide * 4];
+/// The frame buffer of prepareContext(), RT_RGBA_8; large enough for all sizes and strides.
+inline constexpr unsigned kFrameBytes = 1 << 16;
+extern unsigned char framePixels[kFrameBytes];
 
 /// What the first values and the legal arguments refer to: class, surface, light, camera and
 /// environment shader 1 to 4, object, texture, list and buffer 1, a compiled scene, a frame buffer.
