@@ -61,10 +61,15 @@ struct End {
     ContextTable& contexts;
 };
 
-ContextTable& table() {
+/// For those that only take contexts away: needs no memory.
+ContextTable& tableAsItIs() noexcept {
     static Immortal<ContextTable> contexts;
-    static const End end(contexts.get());
     return contexts.get();
+}
+
+ContextTable& table() {
+    static const End end(tableAsItIs());
+    return tableAsItIs();
 }
 
 /// Counts destroyAllContexts: what was current before no longer is.
@@ -93,7 +98,7 @@ void Holder::release() noexcept {
 /// looked at, only taken away.
 void abandonInChild() noexcept {
     if (unusable.exchange("the child of a fork can not use the library")) return;
-    bury(table().entries);
+    bury(tableAsItIs().entries);
     bury(holder.entry);
     current = nullptr;
     holder.id = 0;
@@ -179,7 +184,7 @@ void resetDefaultContext(unsigned threads) {
 void destroyAllContexts() noexcept {
     std::map<ContextId, Entry> old;
     {
-        ContextTable& contexts = table();
+        ContextTable& contexts = tableAsItIs();
         const std::lock_guard lock(contexts.mutex);
         old.swap(contexts.entries);
         contexts.defaultContext = 0;

@@ -74,7 +74,10 @@ RTAPI void RTAPIENTRY rtuSphere(RTUquadric* quad, RTdouble radius, RTint slices,
     if (isMissingQuadric(quad, __func__)) return;
     if (slices < 2 || stacks < 1 || stacks > kMaxStacks || !areFinite(radius) || radius < 0)
         return fail(*quad, RTU_INVALID_VALUE, __func__, "not the measures of a sphere");
-    guarded(__func__, [&](Context&) { drawSphere(*quad, radius, slices, stacks); });
+    guarded(__func__, [&](Context& c) {
+        c.recorder().requireOutsidePrimitive();
+        drawSphere(*quad, radius, slices, stacks);
+    });
 }
 
 RTAPI void RTAPIENTRY rtuCylinder(RTUquadric* quad, RTdouble base, RTdouble top, RTdouble height,
@@ -83,7 +86,10 @@ RTAPI void RTAPIENTRY rtuCylinder(RTUquadric* quad, RTdouble base, RTdouble top,
     if (slices < 2 || stacks < 1 || stacks > kMaxStacks || !areFinite(base, top, height) ||
         base < 0 || top < 0 || height < 0 || (base == top && height == 0))
         return fail(*quad, RTU_INVALID_VALUE, __func__, "not the measures of a cylinder");
-    guarded(__func__, [&](Context&) { drawCylinder(*quad, base, top, height, slices, stacks); });
+    guarded(__func__, [&](Context& c) {
+        c.recorder().requireOutsidePrimitive();
+        drawCylinder(*quad, base, top, height, slices, stacks);
+    });
 }
 
 RTAPI void RTAPIENTRY rtuDisk(RTUquadric* quad, RTdouble inner, RTdouble outer, RTint slices,
@@ -97,7 +103,8 @@ RTAPI void RTAPIENTRY rtuPartialDisk(RTUquadric* quad, RTdouble inner, RTdouble 
     if (slices < 2 || loops < 1 || loops > kMaxStacks || !areFinite(inner, outer, start, sweep) ||
         outer <= 0 || inner < 0 || inner > outer)
         return fail(*quad, RTU_INVALID_VALUE, __func__, "not the measures of a disk");
-    guarded(__func__, [&](Context&) {
+    guarded(__func__, [&](Context& c) {
+        c.recorder().requireOutsidePrimitive();
         drawPartialDisk(*quad, inner, outer, slices, loops, start, sweep);
     });
 }

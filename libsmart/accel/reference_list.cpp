@@ -42,7 +42,7 @@ ReferenceList listReferences(std::span<const Aabb> boxes, double extraShare, Bui
         uint32_t at = before[part];
         ReferenceBounds ofPart;
         visitBoxes(boxes, part, [&](std::size_t i) {
-            const BoxReference reference(Box4(boxes[i]), uint32_t(i));
+            const auto reference = BoxReference(Box4(boxes[i]), uint32_t(i));
             list.references[at++] = reference;
             ofPart.add(reference);
         });

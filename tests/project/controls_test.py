@@ -15,6 +15,7 @@ sys.path[:0] = [str(HERE), str(ROOT / "compat")]
 import exported_symbols  # noqa: E402
 import generate_calls  # noqa: E402
 import headers_alone  # noqa: E402
+import interface_kept  # noqa: E402
 import isa_objects  # noqa: E402
 import layering  # noqa: E402
 import opengl_names  # noqa: E402
@@ -275,6 +276,28 @@ class OpenglNames(unittest.TestCase):
         self.assertNotEqual(self.problems("void rtClear(RTbitfield mask);\n"), [])
         self.assertNotEqual(self.problems("void rtClear(RTbitfield mask);\n",
                                           "#define RT_FOG 0x0B61\n"), [])
+
+
+class InterfaceKept(unittest.TestCase):
+    BEFORE = {"function rtA": "void (RTint)", "token RT_A": "1", "struct RTSa": "RTuint structSize",
+              "struct RTa": "int a"}
+
+    def test_accepts_what_is_new_and_what_grows(self):
+        now = dict(self.BEFORE, **{"function rtB": "void ()", "struct RTSa": "RTuint structSize; int b"})
+        self.assertEqual(interface_kept.problems(self.BEFORE, now), [])
+
+    def test_finds_each_change(self):
+        for what, how in (("function rtA", "void (RTuint)"), ("token RT_A", "2"),
+                          ("struct RTSa", "int b; RTuint structSize"), ("struct RTa", "int a; int b")):
+            self.assertEqual(len(interface_kept.problems(self.BEFORE, dict(self.BEFORE, **{what: how}))),
+                             1)
+        self.assertEqual(len(interface_kept.problems(self.BEFORE, {})), 4)
+
+    def test_reads_the_headers(self):
+        now = interface_kept.interface_of(ROOT)
+        self.assertEqual(now["function rtClear"], "void (RTbitfield)")
+        self.assertEqual(now["token RT_INVALID"], "0xFFFFFFFF")
+        self.assertTrue(now["struct RTray"].startswith("float origin[3]; float tnear"))
 
 
 class GeneratedFiles(unittest.TestCase):

@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Makes docs/figures/hardening.md of the results of the long runs in docs/figures/results.
+
+    page.py                    makes the page
+    page.py --check            exit status 1 if the page is not what the results say
+    page.py --take FOLDER      takes the results of ./check --long from there (build/figures) first
+
+What has no result is told as not run.
+"""
+import argparse
+import json
+import pathlib
+import shutil
+import sys
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RESULTS = ROOT / "docs/figures/results"
+PAGE = ROOT / "docs/figures/hardening.md"
+NOT_RUN = "not run"
+SANITIZERS = {"asan": "address and undefined behaviour", "tsan": "threads"}
+
+
+def read(name):
+    path = RESULTS / name
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
+
+
+def lines_of(name):
+    path = RESULTS / name
+    if not path.exists():
+        return []
+    return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines() if line]
+
+
+def table(head, rows):
+    return ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head),
+            *("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows), ""]
+
+
+def thousands(number):
+    return f"{number:,}"
+
+
+def fuzzing():
+    totals = {}
+    for entry in lines_of("fuzz.jsonl"):
+        total = totals.setdefault(entry["target"], {"executions": 0, "seconds": 0, "faults": 0})
+        total["executions"] += entry["executions"]
+        total["seconds"] += entry["seconds"]
+        total["faults"] += entry["fault"] is not None
+    found = read("fuzz_findings.json") or {}
+    targets = sorted(path.name[:-len("_fuzz.cpp")]
+                     for path in (ROOT / "tests/fuzz").glob("*_fuzz.cpp"))
+    rows = []
+    for target in targets:
+        total = totals.get(target)
+        if total:
+            rows.append([target, thousands(total["executions"]), f"{total['seconds'] / 3600:.2f}",
+                         total["faults"], found.get(target, "nothing")])
+        else:
+            rows.append([target, NOT_RUN, "", "", ""])
+    return ["## Fuzzing", "",
+            "libFuzzer with address and undefined-behaviour sanitizers; `tests/fuzz`. Runs that ended "
+            "with a fault, and what was the matter.", "",
+            *table(["target", "executions", "hours", "runs with a fault", "found and mended"], rows)]
+
+
+def memory():
+    scenes, samples, frames = (read(f"{name}.json") for name in
+                               ("failing_scenes", "failing_samples", "many_frames"))
+    text = ["## Memory that runs out", "",
+            "The n-th allocation fails, alone or with all that follow. A failure counts as absorbed "
+            "where no error was recorded and the picture was right all the same.", ""]
+    if scenes:
+        kind = "every allocation" if scenes["whole"] else "a selection of allocations"
+        text += [f"`failing_scenes`, {kind}:", ""]
+        text += table(["scene", "allocations", "failures", "recorded", "absorbed", "faults"],
+                      [[s[key] for key in ("scene", "allocations", "failures", "recorded",
+                                           "absorbed", "faults")] for s in scenes["scenes"]])
+    else:
+        text += [f"`failing_scenes`: {NOT_RUN}.", ""]
+    if samples:
+        entries = samples["samples"]
+        count = {key: sum(e[key] for e in entries) for key in ("failures", "recorded", "absorbed")}
+        faults = sum(len(e["faults"]) for e in entries)
+        text += [f"`failing_samples`: {len(entries)} sample programs, "
+                 f"{thousands(count['failures'])} failures, {thousands(count['recorded'])} recorded, "
+                 f"{thousands(count['absorbed'])} absorbed, {faults} faults.", ""]
+    else:
+        text += [f"`failing_samples`: {NOT_RUN}.", ""]
+    if frames:
+        text += [f"`many_frames`: {thousands(frames['frames'])} frames of changing scenes, "
+                 f"{thousands(frames['early_kb'])} kB after a tenth of them, "
+                 f"{thousands(frames['late_kb'])} kB at the end.", ""]
+    else:
+        text += [f"`many_frames`: {NOT_RUN}.", ""]
+    return text
+
+
+def calls():
+    result = read("every_call.json")
+    text = ["## Every call in every state", "",
+            "Each function with legal arguments and with each wrong one. A call that records an error "
+            "must leave all state that can be asked for, and the scene, as they were; no call may "
+            "change the host: floating-point control, signal mask and handlers, locale, affinity, "
+            "folder, file mode mask, standard output, environment.", ""]
+    if not result:
+        return [*text, f"`every_call`: {NOT_RUN}.", ""]
+    kind = "all values" if result["whole"] else "two values a parameter"
+    text += [f"`every_call`, {kind}: {thousands(result['functions'])} functions, "
+             f"{thousands(result['calls'])} calls, {thousands(result['errors'])} recorded an error, "
+             f"{result['faults']} faults.", ""]
+    return text + table(["state", "calls"], [[place, thousands(n)] for place, n in
+                                              sorted(result["places"].items())])
+
+
+def suite(preset):
+    path = RESULTS / f"{preset}.xml"
+    if not path.exists():
+        return None
+    suites = xml.etree.ElementTree.parse(path).getroot()
+    return {key: int(suites.get(key, 0)) for key in ("tests", "failures", "skipped")}
+
+
+def suites():
+    rows = []
+    for preset, name in {"release": "none", **SANITIZERS}.items():
+        counts = suite(preset)
+        rows.append([name, counts["tests"], counts["failures"], counts["skipped"]] if counts
+                    else [name, NOT_RUN, "", ""])
+    ways = 0
+    leave = (ROOT / "tests/process/CMakeLists.txt").read_text(encoding="utf-8")
+    ways = len(leave.split("foreach(way")[1].split(")")[0].split())
+    return ["## The test suite", "", *table(["sanitizer", "tests", "failed", "skipped"], rows),
+            f"Among the tests are {ways} ways to leave a process (`tests/process`): with and without "
+            "`rtExit`, from `atexit`, in a callback, by a signal, after a fork; and the library opened "
+            "and closed twenty times, and twice in one process.", ""]
+
+
+def sizes():
+    start, coverage, bare = read("start.json"), read("coverage.json"), read("bare.json")
+    rows = [["stripped `libOpenRT.so`",
+             f"{start['library_bytes'] / 1e6:.2f} MB" if start else NOT_RUN],
+            ["a C program that renders one triangle of 64 x 64 pixels, start to end",
+             f"{start['one_triangle_ms']['median']} ms (`/bin/true`: "
+             f"{start['true_ms']['median']} ms)" if start else NOT_RUN],
+            ["from a bare Debian 12 to the first picture, by `./demo`",
+             f"{bare['minutes']} minutes ({bare['machine']})" if bare else NOT_RUN]]
+    twice = read("reproducible.json")
+    rows.append(["two builds of the library in different folders",
+                 NOT_RUN if not twice else "equal" if twice["equal"] else "different"])
+    if coverage:
+        share = 100 * coverage["covered"] / coverage["lines"]
+        which = f", by the tests `{coverage['tests']}` only" if "tests" in coverage else ""
+        rows.append([f"lines covered by the test suite{which}",
+                     f"{share:.1f} % of {thousands(coverage['lines'])}"])
+    else:
+        rows.append(["lines covered by the test suite", NOT_RUN])
+    text = ["## Size, start, coverage", "", *table(["what", "figure"], rows)]
+    if coverage:
+        text += table(["folder", "lines", "covered"],
+                      [[name, thousands(f["lines"]), f"{100 * f['covered'] / f['lines']:.1f} %"]
+                       for name, f in coverage["folders"].items()])
+    return text
+
+
+def page():
+    about = read("about.json") or {}
+    when = f" Results of {about['date']}, {about['machine']}." if about else ""
+    return "\n".join([
+        "# Hardening in figures", "",
+        "What was done to make the library fail, how often, and what came of it. `./check --long` "
+        "makes all of these runs; `tests/figures/page.py` made this page of their results, which are "
+        "in `docs/figures/results`. What has no result says so." + when, "",
+        *fuzzing(), *memory(), *calls(), *suites(), *sizes()]).rstrip() + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--take", type=pathlib.Path)
+    arguments = parser.parse_args()
+    if arguments.take:
+        RESULTS.mkdir(parents=True, exist_ok=True)
+        for path in sorted(arguments.take.iterdir()):
+            shutil.copy(path, RESULTS / path.name)
+    text = page()
+    if not arguments.check:
+        PAGE.write_text(text, encoding="utf-8")
+    elif not PAGE.exists() or PAGE.read_text(encoding="utf-8") != text:
+        print("docs/figures/hardening.md is not what the results say; run tests/figures/page.py")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
