@@ -16,7 +16,11 @@ LayerNeeds findLayerNeeds(const Scene& scene) {
         before = state;
         (state->ops.depthFunction == CompareFunction::LessEqual ? last : first) = true;
         needs.collects |= !state->isOpaque();
+        const FixedFragmentOps& ops = state->ops;
         const FixedRaster& raster = state->raster;
+        needs.opaqueHides &= ops.depthTest && !raster.offsetFill &&
+                             (ops.depthFunction == CompareFunction::Less ||
+                              ops.depthFunction == CompareFunction::LessEqual);
         needs.sifts |= raster.cull || raster.polygonMode[0] != FixedPolygonMode::Fill ||
                        raster.polygonMode[1] != FixedPolygonMode::Fill ||
                        std::any_of(std::begin(raster.clip), std::end(raster.clip),

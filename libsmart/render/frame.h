@@ -50,6 +50,8 @@ struct MatrixCamera {
 struct LayerNeeds {
     bool collects = false; ///< all hits of a ray matter, not the nearest alone
     bool sifts = false;    ///< hits may not count: culled, clipped, not filled
+    /// What lies behind an opaque hit is not to be seen, whenever it was drawn.
+    bool opaqueHides = true;
 };
 LayerNeeds findLayerNeeds(const Scene& scene);
 

@@ -53,9 +53,6 @@ struct LitVertex {
 LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool back,
                     const FixedViewer& viewer = {}, const glm::vec3* visibility = nullptr);
 
-/// weights[0] * a + weights[1] * b + weights[2] * c.
-LitVertex interpolated(const LitVertex& a, const LitVertex& b, const LitVertex& c,
-                       const glm::dvec3& weights);
 /// (1 - share) * a + share * b.
 LitVertex interpolated(const LitVertex& a, const LitVertex& b, double share);
 

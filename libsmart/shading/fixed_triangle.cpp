@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/shading/fixed_triangle.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -91,26 +90,16 @@ private:
 } // namespace
 
 FixedTriangle::FixedTriangle(const HitChain& chain, const FixedViewer& viewer)
-    : state_(chain.instances[0]->state.get()),
-      levels_(chain.levels),
-      triangle_(chain.triangle),
-      viewer_(viewer) {
-    std::copy_n(chain.instances, levels_, instances_);
+    : state_(chain.instances[0]->state.get()), viewer_(viewer) {
     const VertexReader reader(chain);
-    for (int corner = 0; corner < 3; ++corner)
-        vertices_[corner] = reader.read(triangle_, corner);
+    const uint32_t triangle = chain.triangle;
+    for (int corner = 0; corner < 3; ++corner) vertices_[corner] = reader.read(triangle, corner);
     const std::vector<uint8_t>& provoking = chain.model->shading.provoking;
-    provoking_ = provoking.empty() ? ShadingData::kLastCorner : provoking[triangle_];
+    provoking_ = provoking.empty() ? ShadingData::kLastCorner : provoking[triangle];
     if (provoking_ >= ShadingData::kOfNext) {
-        vertices_[kProvoking] = reader.read(triangle_ + 1, provoking_ - ShadingData::kOfNext);
+        vertices_[kProvoking] = reader.read(triangle + 1, provoking_ - ShadingData::kOfNext);
         provoking_ = kProvoking;
     }
-}
-
-bool FixedTriangle::isOf(const HitChain& chain, const FixedViewer& viewer) const {
-    return state_ && triangle_ == chain.triangle && levels_ == chain.levels &&
-           viewer_.position == viewer.position && viewer_.alwaysLocal == viewer.alwaysLocal &&
-           std::equal(instances_, instances_ + levels_, chain.instances);
 }
 
 LitVertex FixedTriangle::lit(const FixedVertex& vertex, bool back,
@@ -163,10 +152,29 @@ FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& m
     return vertex;
 }
 
+LitVertex FixedTriangle::interpolated(const LitVertex (&corners)[3],
+                                      const glm::dvec3& weights) const {
+    const auto& [a, b, c] = corners;
+    const FixedLighting& lighting = state_->lighting;
+    LitVertex result;
+    result.primary = mix(a.primary, b.primary, c.primary, weights);
+    if (lighting.enabled && lighting.separateSpecular)
+        result.secondary = glm::vec3(weights[0] * glm::dvec3(a.secondary) +
+                                     weights[1] * glm::dvec3(b.secondary) +
+                                     weights[2] * glm::dvec3(c.secondary));
+    if (state_->texture.image) result.texCoord = mix(a.texCoord, b.texCoord, c.texCoord, weights);
+    if (state_->fog.enabled)
+        result.fogDistance = mix(a.fogDistance, b.fogDistance, c.fogDistance, weights);
+    if (lighting.reflections)
+        result.reflection = mix(a.reflection, b.reflection, c.reflection, weights);
+    result.lightsIn = a.lightsIn | b.lightsIn | c.lightsIn;
+    return result;
+}
+
 LitVertex FixedTriangle::at(const glm::dvec3& weights, bool back, const glm::vec3* visibility) {
     const LitVertex (&corner)[3] = corners(back);
     const auto withColorsOf = [&](const LitVertex& lit) {
-        LitVertex result = interpolated(corner[0], corner[1], corner[2], weights);
+        LitVertex result = interpolated(corner, weights);
         result.primary = lit.primary;
         result.secondary = lit.secondary;
         result.reflection = lit.reflection;
@@ -183,9 +191,11 @@ LitVertex FixedTriangle::at(const glm::dvec3& weights, bool back, const glm::vec
     }
     case ShadeModel::Smooth: break;
     }
-    if (!visibility) return interpolated(corner[0], corner[1], corner[2], weights);
-    return interpolated(lit(vertices_[0], back, visibility), lit(vertices_[1], back, visibility),
-                        lit(vertices_[2], back, visibility), weights);
+    if (!visibility) return interpolated(corner, weights);
+    const LitVertex left[3] = {lit(vertices_[0], back, visibility),
+                               lit(vertices_[1], back, visibility),
+                               lit(vertices_[2], back, visibility)};
+    return interpolated(left, weights);
 }
 
 } // namespace smart
