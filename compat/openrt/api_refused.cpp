@@ -28,12 +28,6 @@ RTAPI void RTAPIENTRY rtGetQueryObjectiv(RTuint, RTenum, RTint *) { refused("rtG
 RTAPI void RTAPIENTRY rtGetQueryObjectuiv(RTuint, RTenum,
     RTuint *) { refused("rtGetQueryObjectuiv"); }
 
-// Rasterisation and fragments
-RTAPI void RTAPIENTRY rtPointParameterf(RTenum, RTfloat) { refused("rtPointParameterf"); }
-RTAPI void RTAPIENTRY rtPointParameterfv(RTenum, const RTfloat *) { refused("rtPointParameterfv"); }
-RTAPI void RTAPIENTRY rtPointParameteri(RTenum, RTint) { refused("rtPointParameteri"); }
-RTAPI void RTAPIENTRY rtPointParameteriv(RTenum, const RTint *) { refused("rtPointParameteriv"); }
-
 // Frame buffer
 RTAPI void RTAPIENTRY rtClearIndex(RTfloat) { refused("rtClearIndex"); }
 RTAPI void RTAPIENTRY rtIndexMask(RTuint) { refused("rtIndexMask"); }

@@ -34,12 +34,6 @@ RTAPI void RTAPIENTRY rtGetQueryiv(RTenum target, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetQueryObjectiv(RTuint id, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetQueryObjectuiv(RTuint id, RTenum pname, RTuint *params);
 
-/* Rasterisation and fragments */
-RTAPI void RTAPIENTRY rtPointParameterf(RTenum pname, RTfloat param);
-RTAPI void RTAPIENTRY rtPointParameterfv(RTenum pname, const RTfloat *params);
-RTAPI void RTAPIENTRY rtPointParameteri(RTenum pname, RTint param);
-RTAPI void RTAPIENTRY rtPointParameteriv(RTenum pname, const RTint *params);
-
 /* Frame buffer */
 RTAPI void RTAPIENTRY rtClearIndex(RTfloat c);
 RTAPI void RTAPIENTRY rtIndexMask(RTuint mask);

@@ -20,6 +20,7 @@ struct FixedVertex {
     glm::dvec3 normal{0.0, 0.0, 1.0};       ///< in eye space, not yet normalised or rescaled
     glm::dvec4 objectPosition{0.0, 0.0, 0.0, 1.0};
     glm::vec4 color{1.0f};
+    glm::vec3 secondaryColor{0.0f};
     glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
     const FixedMaterials* materials = nullptr; ///< nullptr: OpenGL's initial ones
     double normalScale = 1.0;                  ///< rescaleFactor() of the instance's matrices

@@ -27,6 +27,11 @@ glm::vec4 mix(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c,
     return glm::vec4(weights[0] * glm::dvec4(a) + weights[1] * glm::dvec4(b) +
                      weights[2] * glm::dvec4(c));
 }
+glm::vec3 mix(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+              const glm::dvec3& weights) {
+    return glm::vec3(weights[0] * glm::dvec3(a) + weights[1] * glm::dvec3(b) +
+                     weights[2] * glm::dvec3(c));
+}
 float mix(float a, float b, float c, const glm::dvec3& weights) {
     return float(weights[0] * a + weights[1] * b + weights[2] * c);
 }
@@ -46,6 +51,7 @@ class VertexReader {
 public:
     explicit VertexReader(const HitChain& chain)
         : chain_(chain),
+          state_(*chain.instances[0]->state),
           attributes_(chain),
           normals_(normalMatrix(chain.toWorld)),
           normalScale_(rescaleFactor(chain.toWorld)) {}
@@ -77,11 +83,20 @@ public:
                      : attributes_.inheritedValue(&Inherited::ownMaterials, &Inherited::materials)
                            .get();
         vertex.normalScale = normalScale_;
+        if (state_.lighting.colorSum)
+            vertex.secondaryColor = attribute(shading.secondaryColors, shading.firstSecondaryColor,
+                                              &Inherited::ownSecondaryColor,
+                                              &Inherited::secondaryColor);
+        if (state_.fog.fromCoordinate)
+            vertex.fogCoordinate = attribute(shading.fogCoordinates, shading.firstFogCoordinate,
+                                             &Inherited::ownFogCoordinate,
+                                             &Inherited::fogCoordinate);
         return vertex;
     }
 
 private:
     const HitChain& chain_;
+    const FixedState& state_;
     const CornerAttributes attributes_;
     const glm::dmat3 normals_;
     const double normalScale_;
@@ -139,6 +154,8 @@ FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& m
     if (squared > 0.0) vertex.normal /= std::sqrt(squared);
     vertex.normalScale = 1.0;
     vertex.color = mix(vertices_[0].color, vertices_[1].color, vertices_[2].color, weights);
+    vertex.secondaryColor = mix(vertices_[0].secondaryColor, vertices_[1].secondaryColor,
+                                vertices_[2].secondaryColor, weights);
     if (vertices_[0].materials != vertices_[1].materials ||
         vertices_[0].materials != vertices_[2].materials) {
         static const FixedMaterials initial;
@@ -155,17 +172,14 @@ FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& m
 LitVertex FixedTriangle::interpolated(const LitVertex (&corners)[3],
                                       const glm::dvec3& weights) const {
     const auto& [a, b, c] = corners;
-    const FixedLighting& lighting = state_->lighting;
     LitVertex result;
     result.primary = mix(a.primary, b.primary, c.primary, weights);
-    if (lighting.enabled && lighting.separateSpecular)
-        result.secondary = glm::vec3(weights[0] * glm::dvec3(a.secondary) +
-                                     weights[1] * glm::dvec3(b.secondary) +
-                                     weights[2] * glm::dvec3(c.secondary));
+    if (state_->lighting.hasSecondary())
+        result.secondary = mix(a.secondary, b.secondary, c.secondary, weights);
     if (state_->texture.image) result.texCoord = mix(a.texCoord, b.texCoord, c.texCoord, weights);
     if (state_->fog.enabled)
         result.fogDistance = mix(a.fogDistance, b.fogDistance, c.fogDistance, weights);
-    if (lighting.reflections)
+    if (state_->lighting.reflections)
         result.reflection = mix(a.reflection, b.reflection, c.reflection, weights);
     result.lightsIn = a.lightsIn | b.lightsIn | c.lightsIn;
     return result;
