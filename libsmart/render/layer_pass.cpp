@@ -294,6 +294,7 @@ const LayerSurface& LayerPass::surfaceOf(const Hit& hit) {
     bool isNew = false;
     LayerSurface& surface = pass_->surfaces.find(hit, isNew);
     if (!isNew) return surface;
+    surface = {};
     const HitChain chain = resolve(*layer_.scene, hit.path, hit.levels, hit.triangle);
     surface.triangle = RasterTriangle(chain);
     surface.plane = raster_.planeOf(surface.triangle);
@@ -462,7 +463,8 @@ void LayerPass::shadeGroup(const ShaderObject* surface, std::span<const WantedCo
     const auto lanes = uint32_t((uint64_t(1) << wanted.size()) - 1);
     glm::vec4 colors[kPacketSize];
     ShadedSample found[kPacketSize];
-    services_.shadeGroup(surface, {&group, lanes, colors, keepsNormals_ && sample_ == 0 ? found : nullptr});
+    const bool describes = keepsNormals_ && sample_ == 0;
+    services_.shadeGroup(surface, {&group, lanes, colors, describes ? found : nullptr});
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         Fragment& fragment = pass.fragments[wanted[i].fragment];
         LayerHit& kept = pass.hits[fragment.source];
