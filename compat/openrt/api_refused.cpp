@@ -34,8 +34,6 @@ RTAPI void RTAPIENTRY rtIndexMask(RTuint) { refused("rtIndexMask"); }
 RTAPI void RTAPIENTRY rtAccum(RTenum, RTfloat) { refused("rtAccum"); }
 
 // Textures
-RTAPI void RTAPIENTRY rtGetTexImage(RTenum, RTint, RTenum, RTenum,
-    void *) { refused("rtGetTexImage"); }
 RTAPI void RTAPIENTRY rtTexImage3D(RTenum, RTint, RTint, RTsizei, RTsizei, RTsizei, RTint, RTenum,
     RTenum, const void *) { refused("rtTexImage3D"); }
 RTAPI void RTAPIENTRY rtTexSubImage3D(RTenum, RTint, RTint, RTint, RTint, RTsizei, RTsizei, RTsizei,

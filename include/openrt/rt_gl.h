@@ -40,8 +40,6 @@ RTAPI void RTAPIENTRY rtIndexMask(RTuint mask);
 RTAPI void RTAPIENTRY rtAccum(RTenum op, RTfloat value);
 
 /* Textures */
-RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, RTenum type,
-                                    void *pixels);
 RTAPI void RTAPIENTRY rtTexImage3D(RTenum target, RTint level, RTint internalformat, RTsizei width,
                                    RTsizei height, RTsizei depth, RTint border, RTenum format,
                                    RTenum type, const void *pixels);
