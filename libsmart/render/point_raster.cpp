@@ -17,7 +17,7 @@ uint32_t wholePixels(float size) {
 
 float pointSizeAt(const FixedRaster& raster, const glm::dvec3& eye) {
     double size = raster.pointSize;
-    if (raster.pointAttenuation != FixedRaster().pointAttenuation) {
+    if (raster.pointAttenuation != glm::vec3(1.0f, 0.0f, 0.0f)) {
         const glm::dvec3 attenuation(raster.pointAttenuation);
         const double squared = glm::dot(eye, eye);
         const double left =
