@@ -163,9 +163,18 @@ static void coloring(void) {
     STATE(GL_FOG_START, 1, glFogi(GL_FOG_START, 3));
     STATE(GL_FOG_END, 1, glFogf(GL_FOG_END, -7.25f));
     STATE(GL_FOG_MODE, 1, glFogi(GL_FOG_MODE, GL_LINEAR));
-    STATE(GL_FOG_COORDINATE_SOURCE, 1, glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE));
     SWITCH(GL_FOG);
-    SWITCH(GL_COLOR_SUM);
+    beginCase("GL_FOG_COORDINATE_SOURCE"); /* Mesa does not bring it back, */
+    tellAll(GL_FOG_COORDINATE_SOURCE, 1);
+    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    tellAll(GL_FOG_COORDINATE_SOURCE, 1);
+    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FRAGMENT_DEPTH);
+    beginCase("GL_COLOR_SUM"); /* nor this, table 6.8 */
+    tellAll(GL_COLOR_SUM, 1);
+    glEnable(GL_COLOR_SUM);
+    tellAll(GL_COLOR_SUM, 1);
+    glDisable(GL_COLOR_SUM);
+    tellAll(GL_COLOR_SUM, 1);
     STATE(GL_SHADE_MODEL, 1, glShadeModel(GL_FLAT));
     SWITCH(GL_LIGHTING);
     SWITCH(GL_COLOR_MATERIAL);
