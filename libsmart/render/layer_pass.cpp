@@ -37,6 +37,7 @@ int edgesOf(const Hit& hit) {
 LayerPass::LayerPass(const Frame& layer, bool lowest, const Tile& tile, TilePixels& pixels,
                      LayeredPixels& memory, ShadingForm form)
     : layer_(layer),
+      needs_(layer.needs()),
       lowest_(lowest),
       keepsNormals_(layer.target.aux.normal != nullptr),
       tile_(tile),
@@ -252,7 +253,7 @@ void LayerPass::gatherHits(uint32_t lane, bool all) {
     if (!all) {
         const Hit nearest = rays_->hit(int(lane));
         Ray near = ray;
-        if (!layer_.needs().collects)
+        if (!needs_.collects || decidesAlone(lane, nearest))
             keepHits(lane, {&nearest, 1});
         else if ((near.tFar = farthestSeen(lane, nearest)) < ray.tFar)
             keepHits(lane, services_.findAllHits(near, pass.met));
@@ -264,13 +265,25 @@ void LayerPass::gatherHits(uint32_t lane, bool all) {
     keepHits(lane, services_.findAllHits(ray, pass.met));
 }
 
+bool LayerPass::hidesOthers(uint32_t lane, const Hit& nearest) {
+    if (!needs_.opaqueHides) return false;
+    const LayerSurface& surface = surfaceOf(nearest);
+    return (!surface.state || surface.state->isOpaque()) && isDrawn(surface, nearest, lane);
+}
+
+bool LayerPass::decidesAlone(uint32_t lane, const Hit& nearest) {
+    if (!hidesOthers(lane, nearest)) return false;
+    const Ray ray = rays_->ray(int(lane));
+    glm::vec3 place;
+    for (int k = 0; k < 3; ++k) place[k] = ray.org[k] + nearest.t * ray.dir[k];
+    return needs_.isAlone(place);
+}
+
 float LayerPass::farthestSeen(uint32_t lane, const Hit& nearest) {
     // Hits as far away as that, but for rounding, are fragments of the same depth.
     constexpr float kBeyondEqual = 1.0f + 0x1p-14f;
-    const LayerSurface& surface = surfaceOf(nearest);
-    const bool hides = layer_.needs().opaqueHides && (!surface.state || surface.state->isOpaque());
-    return hides && isDrawn(surface, nearest, lane) ? nearest.t * kBeyondEqual
-                                                    : std::numeric_limits<float>::infinity();
+    return hidesOthers(lane, nearest) ? nearest.t * kBeyondEqual
+                                      : std::numeric_limits<float>::infinity();
 }
 
 void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met) {

@@ -96,6 +96,10 @@ private:
     void gather(uint32_t packet);
     /// Keeps the hits of a ray that matter.
     void gatherHits(uint32_t lane, bool all);
+    /// Whether what lies behind a ray's nearest hit is not to be seen;
+    bool hidesOthers(uint32_t lane, const Hit& nearest);
+    /// nor anything at its own place.
+    bool decidesAlone(uint32_t lane, const Hit& nearest);
     /// The end of what can be seen of a ray's hits where the nearest of them hides the others.
     float farthestSeen(uint32_t lane, const Hit& nearest);
     void keepHits(uint32_t lane, std::span<const Hit> met);
@@ -113,6 +117,7 @@ private:
     void storeFirst(uint32_t entry, const LayerHit& kept);
 
     const Frame& layer_;
+    const LayerNeeds& needs_;
     const bool lowest_;
     const bool keepsNormals_;
     const Tile& tile_;
