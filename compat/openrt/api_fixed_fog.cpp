@@ -43,11 +43,9 @@ void setFog(const char* function, RTenum pname, const CallValues& values) noexce
             throwError(ErrorCode::InvalidOperation, "there are no colour indices");
         case RT_FOG_COORDINATE_SOURCE: {
             const RTenum source = values.token();
-            if (source == RT_FOG_COORDINATE)
-                throwError(ErrorCode::InvalidOperation,
-                           "fog by the vertices' fog coordinates is not part of this release");
-            if (source != RT_FRAGMENT_DEPTH)
+            if (source != RT_FOG_COORDINATE && source != RT_FRAGMENT_DEPTH)
                 throwError(ErrorCode::InvalidEnum, "unknown source of fog coordinates");
+            fog.fromCoordinate = source == RT_FOG_COORDINATE;
             break;
         }
         default: throwError(ErrorCode::InvalidEnum, "unknown property of fog");

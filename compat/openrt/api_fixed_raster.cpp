@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compat/openrt/call_values.h"
 #include "compat/openrt/fixed_tokens.h"
 #include "compat/openrt/guard.h"
 #include "compat/recorder/transforms.h"
@@ -62,6 +63,36 @@ int clipPlaneNumber(RTenum plane) {
 float positive(RTfloat value) {
     if (!(value > 0)) throwError(ErrorCode::InvalidValue, "a size is above 0");
     return value;
+}
+
+int pointValues(RTenum pname) {
+    switch (pname) {
+    case RT_POINT_DISTANCE_ATTENUATION: return 3;
+    case RT_POINT_SIZE_MIN:
+    case RT_POINT_SIZE_MAX:
+    case RT_POINT_FADE_THRESHOLD_SIZE: return 1;
+    default: return 0;
+    }
+}
+
+void setPointParameter(const char* function, RTenum pname, const CallValues& values) noexcept {
+    recorded(function, [=](Context& c) {
+        FixedStateRecorder& fixed = c.recorder().fixedState();
+        const auto size = [&] {
+            const float checked = values.number();
+            if (!(checked >= 0)) throwError(ErrorCode::InvalidValue, "a size is below 0");
+            return checked;
+        };
+        FixedRaster raster = fixed.state().raster;
+        switch (pname) {
+        case RT_POINT_SIZE_MIN: raster.pointSizeMin = size(); break;
+        case RT_POINT_SIZE_MAX: raster.pointSizeMax = size(); break;
+        case RT_POINT_FADE_THRESHOLD_SIZE: raster.pointFadeThreshold = size(); break;
+        case RT_POINT_DISTANCE_ATTENUATION: raster.pointAttenuation = values.direction(); break;
+        default: throwError(ErrorCode::InvalidEnum, "unknown property of points");
+        }
+        fixed.change().raster = raster;
+    });
 }
 
 } // namespace
@@ -134,6 +165,19 @@ RTAPI void RTAPIENTRY rtPointSize(RTfloat size) {
         const float checked = positive(size);
         fixed.change().raster.pointSize = checked;
     });
+}
+
+RTAPI void RTAPIENTRY rtPointParameterf(RTenum pname, RTfloat param) {
+    setPointParameter(__func__, pname, CallValues::one(param));
+}
+RTAPI void RTAPIENTRY rtPointParameteri(RTenum pname, RTint param) {
+    setPointParameter(__func__, pname, CallValues::one(param));
+}
+RTAPI void RTAPIENTRY rtPointParameterfv(RTenum pname, const RTfloat* params) {
+    setPointParameter(__func__, pname, CallValues::array(params, pointValues(pname)));
+}
+RTAPI void RTAPIENTRY rtPointParameteriv(RTenum pname, const RTint* params) {
+    setPointParameter(__func__, pname, CallValues::array(params, pointValues(pname)));
 }
 
 RTAPI void RTAPIENTRY rtLineWidth(RTfloat width) {

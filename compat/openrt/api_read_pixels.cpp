@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The picture so far, read back: into memory, textures, and the picture itself.
+// What is read back: the picture so far, into memory, textures, and the picture itself; and images
+// of textures.
 #include <memory>
 #include <new>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "compat/openrt/image_formats.h"
 #include "compat/openrt/texture_images.h"
 #include "compat/recorder/pixel_pack.h"
+#include "openrt/rt_textures.h"
 #include "openrt/rt_window.h"
 
 using namespace smart;
@@ -124,7 +126,59 @@ void copyTexSubImage(const char* function, RTenum target, RTint x, RTint y,
     });
 }
 
+/// A texel as OpenGL 1.5, table 6.1, has it.
+glm::vec4 texelBack(const float* channels, const TextureLevelInfo& level) {
+    switch (level.format) {
+    case TexelFormat::Alpha: return {0.0f, 0.0f, 0.0f, channels[level.channels - 1]};
+    case TexelFormat::Intensity: return {channels[0], 0.0f, 0.0f, 1.0f};
+    default: break;
+    }
+    switch (level.channels) {
+    case 1: return {channels[0], 0.0f, 0.0f, 1.0f};
+    case 2: return {channels[0], 0.0f, 0.0f, channels[1]};
+    case 3: return {channels[0], channels[1], channels[2], 1.0f};
+    default: return {channels[0], channels[1], channels[2], channels[3]};
+    }
+}
+
+std::vector<glm::vec4> texelsBack(const TextureImage& image, const TextureLevelInfo& level) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(std::size_t(image.width()) * image.height());
+    std::vector<float> row(std::size_t(image.width()) * image.channels());
+    for (uint32_t y = 0; y < image.height(); ++y) {
+        image.readRow(y, row.data());
+        for (uint32_t x = 0; x < image.width(); ++x)
+            texels.push_back(texelBack(&row[std::size_t(x) * image.channels()], level));
+    }
+    return texels;
+}
+
 } // namespace
+
+RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, RTenum type,
+                                    void* pixels) {
+    guarded(__func__, [&](Context& c) {
+        const TextureStore& textures = c.recorder().textures();
+        const TextureTarget bound = textureTargetOf(target);
+        const PackFormat packed = packFormatOf(format, type);
+        if (level < 0 || uint32_t(level) > TextureStore::kMaxLevel)
+            throwError(ErrorCode::InvalidValue, "levels go from 0 to 14");
+        if (packed.order == PackOrder::Depth)
+            throwError(ErrorCode::InvalidOperation, "textures hold colours");
+        const TextureImagePtr image = textures.image(uint32_t(level), bound);
+        if (!image) return;
+        requirePointer(pixels, "pixels");
+        std::vector<glm::vec4> texels =
+            texelsBack(*image, textures.info(uint32_t(level), bound));
+        Picture picture;
+        picture.target.memory = texels.data();
+        picture.target.width = image->width();
+        picture.target.height = image->height();
+        picture.target.format = PixelFormat::Rgba32f;
+        packPixels(picture, {0, 0, image->width(), image->height()}, packed,
+                   c.recorder().packStore(), glm::vec4(1.0f), glm::vec4(0.0f), pixels);
+    });
+}
 
 RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei height, RTenum format,
                                    RTenum type, void* pixels) {

@@ -28,20 +28,12 @@ RTAPI void RTAPIENTRY rtGetQueryObjectiv(RTuint, RTenum, RTint *) { refused("rtG
 RTAPI void RTAPIENTRY rtGetQueryObjectuiv(RTuint, RTenum,
     RTuint *) { refused("rtGetQueryObjectuiv"); }
 
-// Rasterisation and fragments
-RTAPI void RTAPIENTRY rtPointParameterf(RTenum, RTfloat) { refused("rtPointParameterf"); }
-RTAPI void RTAPIENTRY rtPointParameterfv(RTenum, const RTfloat *) { refused("rtPointParameterfv"); }
-RTAPI void RTAPIENTRY rtPointParameteri(RTenum, RTint) { refused("rtPointParameteri"); }
-RTAPI void RTAPIENTRY rtPointParameteriv(RTenum, const RTint *) { refused("rtPointParameteriv"); }
-
 // Frame buffer
 RTAPI void RTAPIENTRY rtClearIndex(RTfloat) { refused("rtClearIndex"); }
 RTAPI void RTAPIENTRY rtIndexMask(RTuint) { refused("rtIndexMask"); }
 RTAPI void RTAPIENTRY rtAccum(RTenum, RTfloat) { refused("rtAccum"); }
 
 // Textures
-RTAPI void RTAPIENTRY rtGetTexImage(RTenum, RTint, RTenum, RTenum,
-    void *) { refused("rtGetTexImage"); }
 RTAPI void RTAPIENTRY rtTexImage3D(RTenum, RTint, RTint, RTsizei, RTsizei, RTsizei, RTint, RTenum,
     RTenum, const void *) { refused("rtTexImage3D"); }
 RTAPI void RTAPIENTRY rtTexSubImage3D(RTenum, RTint, RTint, RTint, RTint, RTsizei, RTsizei, RTsizei,

@@ -76,14 +76,14 @@ void secondaryColor(const char* function, const T* v) noexcept {
         for (int k = 0; k < n; ++k) value[k] = normalised(v[k]);
     recordedAttribute(function, RT_CURRENT_SECONDARY_COLOR, [=, isNull = !v](Context& c) {
         if (isNull) throwError(ErrorCode::InvalidValue, "v is NULL");
-        c.recorder().setSecondaryColor(value);
+        c.recorder().secondaryColor(value);
     });
 }
 
 void fogCoordinate(const char* function, bool isNull, float value) noexcept {
     recordedAttribute(function, RT_CURRENT_FOG_COORDINATE, [=](Context& c) {
         if (isNull) throwError(ErrorCode::InvalidValue, "coord is NULL");
-        c.recorder().setFogCoordinate(value);
+        c.recorder().fogCoordinate(value);
     });
 }
 

@@ -137,7 +137,7 @@ void ArrayElements::make(uint64_t index) const {
     if (double v[3] = {}; fetch(ArrayKind::SecondaryColor, index, v))
         attribute(context_, "rtSecondaryColor", kSecondaryColorKey,
                   [color = glm::vec4(v[0], v[1], v[2], 1)](Context& c) {
-                      c.recorder().setSecondaryColor(color);
+                      c.recorder().secondaryColor(color);
                   });
     if (double v[3] = {}; fetch(ArrayKind::Normal, index, v)) {
         const glm::vec3 normal(v[0], v[1], v[2]);
@@ -145,9 +145,7 @@ void ArrayElements::make(uint64_t index) const {
     }
     if (double coordinate = 0; fetch(ArrayKind::FogCoordinate, index, &coordinate))
         attribute(context_, "rtFogCoord", kFogCoordinateKey,
-                  [value = float(coordinate)](Context& c) {
-                      c.recorder().setFogCoordinate(value);
-                  });
+                  [value = float(coordinate)](Context& c) { c.recorder().fogCoordinate(value); });
     if (double v[4] = {0, 0, 0, 1}; fetch(ArrayKind::Vertex, index, v)) {
         const glm::dvec4 position(v[0], v[1], v[2], v[3]);
         if (!list || list->vertex(position)) recorder.vertex(position);
@@ -161,8 +159,8 @@ void ArrayElements::restoreAttributes() const {
     if (enabled(ArrayKind::Color)) recorder.color(before_.color);
     if (enabled(ArrayKind::Normal)) recorder.normal(before_.normal);
     if (enabled(ArrayKind::EdgeFlag)) recorder.setEdgeFlag(before_.edgeFlag);
-    if (enabled(ArrayKind::SecondaryColor)) recorder.setSecondaryColor(before_.secondaryColor);
-    if (enabled(ArrayKind::FogCoordinate)) recorder.setFogCoordinate(before_.fogCoordinate);
+    if (enabled(ArrayKind::SecondaryColor)) recorder.secondaryColor(before_.secondaryColor);
+    if (enabled(ArrayKind::FogCoordinate)) recorder.fogCoordinate(before_.fogCoordinate);
 }
 
 } // namespace smart::compat

@@ -30,6 +30,7 @@ auto switchOf(State& state, RTenum cap) -> decltype(&state.fog.enabled) {
     case RT_SHADOWS: return &state.lighting.shadows;
     case RT_REFLECTIONS: return &state.lighting.reflections;
     case RT_FOG: return &state.fog.enabled;
+    case RT_COLOR_SUM: return &state.lighting.colorSum;
     case RT_TEXTURE_1D: return &state.texture.enabled1D;
     case RT_TEXTURE_2D: return &state.texture.enabled2D;
     case RT_ALPHA_TEST: return &state.ops.alphaTest;
@@ -73,15 +74,10 @@ const char* whyNot(RTenum cap) {
         return "there is no stencil buffer: reflections and shadows come with RT_REFLECTIONS and "
                "RT_SHADOWS";
     case RT_AUTO_NORMAL: return "there are no evaluators";
-    case RT_COLOR_SUM: return "the secondary colour of vertices is not added";
     case RT_TEXTURE_3D:
     case RT_TEXTURE_CUBE_MAP: return "textures have one or two dimensions";
     default: return "this switch is not part of this release";
     }
-}
-
-bool isKnown(RTenum cap) {
-    return isCapability(cap) || cap == RT_COLOR_SUM;
 }
 
 } // namespace
@@ -103,7 +99,7 @@ void setCapability(Context& context, RTenum cap, bool on) {
         *other = on;
         return;
     }
-    if (!isKnown(cap) || isArray(cap)) throwError(ErrorCode::InvalidEnum, "no such switch");
+    if (!isCapability(cap) || isArray(cap)) throwError(ErrorCode::InvalidEnum, "no such switch");
     if (on) refuseOnce(context, "switch " + std::to_string(cap), whyNot(cap));
 }
 
@@ -115,7 +111,7 @@ bool isEnabled(Context& context, RTenum cap) {
         return *other;
     if (const std::optional<ArrayKind> kind = arrayKindOf(cap))
         return context.arrays()[*kind].enabled;
-    if (!isKnown(cap)) throwError(ErrorCode::InvalidEnum, "no such switch");
+    if (!isCapability(cap)) throwError(ErrorCode::InvalidEnum, "no such switch");
     return false;
 }
 

@@ -63,6 +63,12 @@ std::optional<StateValue> lightingValue(const FixedState& state, RTenum name) {
 std::optional<StateValue> rasterValue(const FixedRaster& raster, RTenum name) {
     switch (name) {
     case RT_POINT_SIZE: return number(raster.pointSize);
+    case RT_POINT_SIZE_MIN: return number(raster.pointSizeMin);
+    case RT_POINT_SIZE_MAX: return number(raster.pointSizeMax);
+    case RT_POINT_FADE_THRESHOLD_SIZE: return number(raster.pointFadeThreshold);
+    case RT_POINT_DISTANCE_ATTENUATION:
+        return list({raster.pointAttenuation.x, raster.pointAttenuation.y,
+                     raster.pointAttenuation.z});
     case RT_LINE_WIDTH: return number(raster.lineWidth);
     case RT_LINE_STIPPLE_PATTERN: return number(raster.linePattern);
     case RT_LINE_STIPPLE_REPEAT: return number(raster.lineFactor);

@@ -38,6 +38,7 @@ void restoreEnables(FixedState& state, const FixedState& was) {
     lighting.normalize = was.lighting.normalize;
     lighting.rescaleNormal = was.lighting.rescaleNormal;
     lighting.colorMaterial = was.lighting.colorMaterial;
+    lighting.colorSum = was.lighting.colorSum;
     lighting.shadows = was.lighting.shadows;
     lighting.reflections = was.lighting.reflections;
     for (int i = 0; i < kFixedLights; ++i)
@@ -77,6 +78,15 @@ void restorePolygons(FixedRaster& raster, const FixedRaster& was) {
     raster.offsetUnits = was.offsetUnits;
 }
 
+void restorePoints(FixedRaster& raster, const FixedRaster& was) {
+    raster.pointSize = was.pointSize;
+    raster.pointSmooth = was.pointSmooth;
+    raster.pointSizeMin = was.pointSizeMin;
+    raster.pointSizeMax = was.pointSizeMax;
+    raster.pointFadeThreshold = was.pointFadeThreshold;
+    raster.pointAttenuation = was.pointAttenuation;
+}
+
 void restoreLines(FixedRaster& raster, const FixedRaster& was) {
     raster.lineWidth = was.lineWidth;
     raster.lineSmooth = was.lineSmooth;
@@ -93,12 +103,14 @@ void restoreTransform(FixedState& state, const FixedState& was) {
     state.lighting.rescaleNormal = was.lighting.rescaleNormal;
 }
 
-/// Normals are of the transformation, the rest of lighting is of its group.
+/// Normals are of the transformation, the colour sum is of fog, the rest of lighting is of its
+/// group.
 void restoreLighting(FixedLighting& lighting, const FixedLighting& was) {
-    const bool normalize = lighting.normalize, rescale = lighting.rescaleNormal;
+    const FixedLighting now = lighting;
     lighting = was;
-    lighting.normalize = normalize;
-    lighting.rescaleNormal = rescale;
+    lighting.normalize = now.normalize;
+    lighting.rescaleNormal = now.rescaleNormal;
+    lighting.colorSum = now.colorSum;
 }
 
 void restoreColorBuffer(FixedFragmentOps& ops, const FixedFragmentOps& was) {
@@ -114,7 +126,10 @@ FixedState restoredFixed(const FixedState& now, const SavedState& saved) {
     const FixedState& was = saved.fixed;
     const auto has = [&](AttributeGroup group) { return (saved.groups & group) != 0; };
     if (has(kLightingGroup)) restoreLighting(state.lighting, was.lighting);
-    if (has(kFogGroup)) state.fog = was.fog;
+    if (has(kFogGroup)) {
+        state.fog = was.fog;
+        state.lighting.colorSum = was.lighting.colorSum;
+    }
     if (has(kTextureGroup)) state.texture = was.texture;
     if (has(kColorBufferGroup)) restoreColorBuffer(state.ops, was.ops);
     if (has(kDepthBufferGroup)) {
@@ -122,10 +137,7 @@ FixedState restoredFixed(const FixedState& now, const SavedState& saved) {
         state.ops.depthFunction = was.ops.depthFunction;
         state.ops.depthMask = was.ops.depthMask;
     }
-    if (has(kPointGroup)) {
-        state.raster.pointSize = was.raster.pointSize;
-        state.raster.pointSmooth = was.raster.pointSmooth;
-    }
+    if (has(kPointGroup)) restorePoints(state.raster, was.raster);
     if (has(kLineGroup)) restoreLines(state.raster, was.raster);
     if (has(kPolygonGroup)) restorePolygons(state.raster, was.raster);
     if (has(kPolygonStippleGroup))

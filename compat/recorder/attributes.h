@@ -23,6 +23,7 @@ struct Attributes {
 /// Which of them geometry sets on its own; the others come from its instance.
 struct AttributesGiven {
     bool color = false, normal = false, texCoord = false, materials = false;
+    bool secondaryColor = false, fogCoordinate = false;
 };
 
 } // namespace smart::compat

@@ -69,6 +69,9 @@ FixedState FixedStateRecorder::effective(const FixedStateSources& sources) const
         state.lighting.rescaleNormal = was.rescaleNormal;
         state.lighting.reflections = was.reflections;
         state.lighting.shadeModel = was.shadeModel;
+        state.lighting.colorSum = was.colorSum;
+    } else {
+        state.lighting.colorSum = false; // the sum is always taken
     }
     if (!state.fog.enabled) state.fog = start().fog;
     if (sources.image) {

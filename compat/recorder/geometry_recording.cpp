@@ -72,6 +72,8 @@ void GeometryRecording::reserveVertex(const Attributes& attributes, const BoundS
     if (given.normal) makeRoom(shading.normals, 1);
     if (given.texCoord) makeRoom(shading.texCoords, 1);
     if (given.color) makeRoom(shading.colors, 1);
+    if (given.secondaryColor) makeRoom(shading.secondaryColors, 1);
+    if (given.fogCoordinate) makeRoom(shading.fogCoordinates, 1);
     if (given.materials) {
         makeRoom(shading.vertexMaterials, 1);
         makeRoom(shading.materials, 1);
@@ -174,6 +176,10 @@ void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attr
     latch(given.normal, shading.firstNormal, shading.normals, normal);
     latch(given.texCoord, shading.firstTexCoord, shading.texCoords, attributes.texCoord);
     latch(given.color, shading.firstColor, shading.colors, attributes.color);
+    latch(given.secondaryColor, shading.firstSecondaryColor, shading.secondaryColors,
+          glm::vec3(attributes.secondaryColor));
+    latch(given.fogCoordinate, shading.firstFogCoordinate, shading.fogCoordinates,
+          attributes.fogCoordinate);
     if (given.materials)
         latch(true, shading.firstMaterial, shading.vertexMaterials,
               materialsNumber(attributes.materials));

@@ -120,6 +120,8 @@ void Recorder::vertex(const glm::dvec4& position) {
         scene().looseInherited.normal = attributes_.normal;
         scene().looseInherited.texCoord = attributes_.texCoord;
         scene().looseInherited.materials = attributes_.materials;
+        scene().looseInherited.secondaryColor = glm::vec3(attributes_.secondaryColor);
+        scene().looseInherited.fogCoordinate = attributes_.fogCoordinate;
     }
     loose.vertex(place, attributes_, normal, shader);
     ++scene().additions;
@@ -143,6 +145,22 @@ void Recorder::texCoord(const glm::vec4& texCoord) {
     attributes_.texCoord = texCoord;
 }
 
+void Recorder::secondaryColor(const glm::vec4& color) {
+    if (open_)
+        open_->recording.given.secondaryColor = true;
+    else if (color != attributes_.secondaryColor)
+        scene().loose.given.secondaryColor = true;
+    attributes_.secondaryColor = color;
+}
+
+void Recorder::fogCoordinate(float coordinate) {
+    if (open_)
+        open_->recording.given.fogCoordinate = true;
+    else if (coordinate != attributes_.fogCoordinate)
+        scene().loose.given.fogCoordinate = true;
+    attributes_.fogCoordinate = coordinate;
+}
+
 // What follows the colour does so at once. Of geometry in objects that is not known before they
 // are placed: it keeps both.
 void Recorder::setMaterials(FixedMaterials materials) {
@@ -162,8 +180,8 @@ void Recorder::restoreAttributes(const Attributes& attributes) {
     color(attributes.color);
     texCoord(attributes.texCoord);
     if (attributes.normal != now.normal) normal(attributes.normal);
-    attributes_.secondaryColor = attributes.secondaryColor;
-    attributes_.fogCoordinate = attributes.fogCoordinate;
+    secondaryColor(attributes.secondaryColor);
+    fogCoordinate(attributes.fogCoordinate);
     attributes_.edgeFlag = attributes.edgeFlag;
 }
 

@@ -55,8 +55,8 @@ public:
     /// As they are now: what follows the current colour is brought up to date.
     FixedMaterials materials() const;
     void setEdgeFlag(bool flag) { attributes_.edgeFlag = flag; }
-    void setSecondaryColor(const glm::vec4& color) { attributes_.secondaryColor = color; }
-    void setFogCoordinate(float coordinate) { attributes_.fogCoordinate = coordinate; }
+    void secondaryColor(const glm::vec4& color);
+    void fogCoordinate(float coordinate);
     const Attributes& attributes() const { return attributes_; }
 
     // The raster position, and what is drawn there; not in objects. Images of no size are none.

@@ -67,6 +67,9 @@ void Recorder::resumeLooseRun() noexcept {
     given.normal |= normalEverGiven_;
     given.texCoord |= attributes_.texCoord != scene().looseInherited.texCoord;
     given.materials |= attributes_.materials != scene().looseInherited.materials;
+    given.secondaryColor |=
+        glm::vec3(attributes_.secondaryColor) != scene().looseInherited.secondaryColor;
+    given.fogCoordinate |= attributes_.fogCoordinate != scene().looseInherited.fogCoordinate;
 }
 
 std::shared_ptr<Shader> Recorder::shaderOfKind(uint32_t id, RTenum kind,

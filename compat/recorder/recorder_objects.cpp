@@ -14,7 +14,9 @@ namespace smart::compat {
 namespace {
 
 InheritedAttributes inheritedFrom(const Attributes& attributes) {
-    return {attributes.color, attributes.normal, attributes.texCoord, attributes.materials};
+    return {attributes.color,     attributes.normal,
+            attributes.texCoord,  attributes.materials,
+            attributes.secondaryColor, attributes.fogCoordinate};
 }
 
 std::shared_ptr<const ShaderReplacement> replacementOfAll(const std::shared_ptr<Shader>& by) {
@@ -192,6 +194,8 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
     instance.inherited.ownNormal = given.normal;
     instance.inherited.ownTexCoord = given.texCoord;
     instance.inherited.ownMaterials = given.materials;
+    instance.inherited.ownSecondaryColor = given.secondaryColor;
+    instance.inherited.ownFogCoordinate = given.fogCoordinate;
     open_->recording.addChild(std::move(instance), placed.model->levels,
                               reshaded ? shaders : placed.shaders);
 }

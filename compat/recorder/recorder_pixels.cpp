@@ -17,6 +17,10 @@ double pixelOf(double coordinate) {
     return std::floor(double(toSubpixels(coordinate)) / kSubpixels);
 }
 
+glm::vec4 clampedToUnit(const glm::vec4& color) {
+    return glm::clamp(color, glm::vec4(0.0f), glm::vec4(1.0f));
+}
+
 bool canBeSeen(const glm::dvec2& window) {
     for (int k = 0; k < 2; ++k)
         if (!(window[k] > kWindowMin && window[k] < kWindowMax)) return false;
@@ -39,6 +43,7 @@ void Recorder::setRasterPosition(const glm::dvec4& position) {
     vertex.color = attributes_.color;
     vertex.texCoord = attributes_.texCoord;
     vertex.fogCoordinate = attributes_.fogCoordinate;
+    vertex.secondaryColor = glm::vec3(attributes_.secondaryColor);
     const FixedMaterials materialsNow = materials();
     vertex.materials = &materialsNow;
 
@@ -53,6 +58,8 @@ void Recorder::setRasterPosition(const glm::dvec4& position) {
     raster.window = {window.at, window.depth};
     raster.clipW = clip.clip.w;
     raster.lit = clip.lit;
+    if (!state.lighting.enabled) // even where nothing adds it now
+        raster.lit.secondary = clampedToUnit(attributes_.secondaryColor);
     if (!state.fog.fromCoordinate) raster.lit.fogDistance = float(std::fabs(vertex.position.z));
 }
 
@@ -62,8 +69,9 @@ void Recorder::setWindowPosition(const glm::dvec3& position) {
     const double depth = position.z > 0.0 ? std::min(position.z, 1.0) : 0.0;
     const double near = frameSettings_.depthNear, far = frameSettings_.depthFar;
     raster.window = {position.x, position.y, near + depth * (far - near)};
-    raster.lit.primary = glm::clamp(attributes_.color, glm::vec4(0.0f), glm::vec4(1.0f));
+    raster.lit.primary = clampedToUnit(attributes_.color);
     raster.lit.texCoord = attributes_.texCoord;
+    raster.lit.secondary = clampedToUnit(attributes_.secondaryColor);
     if (fixedState_.state().fog.fromCoordinate) raster.lit.fogDistance = attributes_.fogCoordinate;
     pixelDrawing_.raster = raster;
 }

@@ -61,15 +61,17 @@ RTAPI void RTAPIENTRY rtGetMaterialiv(RTenum face, RTenum pname, RTint *params);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtColorMaterial(RTenum face, RTenum mode);
 
-/* Fog, by the depth in eye space, and with a camera shader by the length of the ray.
- * Errors:  RT_INVALID_OPERATION  RT_FOG_INDEX; RT_FOG_COORDINATE as the source
+/* Fog, by the depth in eye space, and with a camera shader by the length of the ray; or, where
+ * RT_FOG_COORDINATE_SOURCE says RT_FOG_COORDINATE, by the vertices' rtFogCoord.
+ * Errors:  RT_INVALID_OPERATION  RT_FOG_INDEX
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtFogf(RTenum pname, RTfloat param);
 RTAPI void RTAPIENTRY rtFogi(RTenum pname, RTint param);
 RTAPI void RTAPIENTRY rtFogfv(RTenum pname, const RTfloat *params);
 RTAPI void RTAPIENTRY rtFogiv(RTenum pname, const RTint *params);
 
-/* Values that no picture depends on in this release: they can be set and asked for.
+/* What vertices latch beside rt_objects.h's attributes: the coordinate of fog, and the colour that
+ * is added after texturing where RT_COLOR_SUM is enabled and lighting is not.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtFogCoordf(RTfloat coord);
 RTAPI void RTAPIENTRY rtFogCoordfv(const RTfloat *coord);
@@ -176,6 +178,16 @@ RTAPI void RTAPIENTRY rtGetPolygonStipple(RTubyte *mask);
 RTAPI void RTAPIENTRY rtLineWidth(RTfloat width);
 RTAPI void RTAPIENTRY rtLineStipple(RTint factor, RTushort pattern);
 RTAPI void RTAPIENTRY rtPointSize(RTfloat size);
+
+/* Points get smaller with their distance from the eye: RT_POINT_DISTANCE_ATTENUATION, between
+ * RT_POINT_SIZE_MIN and RT_POINT_SIZE_MAX. With several samples a pixel, points smaller than
+ * RT_POINT_FADE_THRESHOLD_SIZE fade instead.
+ * Errors:  RT_INVALID_VALUE  a size below 0
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtPointParameterf(RTenum pname, RTfloat param);
+RTAPI void RTAPIENTRY rtPointParameteri(RTenum pname, RTint param);
+RTAPI void RTAPIENTRY rtPointParameterfv(RTenum pname, const RTfloat *params);
+RTAPI void RTAPIENTRY rtPointParameteriv(RTenum pname, const RTint *params);
 
 /* What becomes of fragments, in the order of submission: tests, blending, masks. In a program that
  * neither clears a buffer nor enables or disables RT_DEPTH_TEST the depth test is on; from the

@@ -34,20 +34,12 @@ RTAPI void RTAPIENTRY rtGetQueryiv(RTenum target, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetQueryObjectiv(RTuint id, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetQueryObjectuiv(RTuint id, RTenum pname, RTuint *params);
 
-/* Rasterisation and fragments */
-RTAPI void RTAPIENTRY rtPointParameterf(RTenum pname, RTfloat param);
-RTAPI void RTAPIENTRY rtPointParameterfv(RTenum pname, const RTfloat *params);
-RTAPI void RTAPIENTRY rtPointParameteri(RTenum pname, RTint param);
-RTAPI void RTAPIENTRY rtPointParameteriv(RTenum pname, const RTint *params);
-
 /* Frame buffer */
 RTAPI void RTAPIENTRY rtClearIndex(RTfloat c);
 RTAPI void RTAPIENTRY rtIndexMask(RTuint mask);
 RTAPI void RTAPIENTRY rtAccum(RTenum op, RTfloat value);
 
 /* Textures */
-RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, RTenum type,
-                                    void *pixels);
 RTAPI void RTAPIENTRY rtTexImage3D(RTenum target, RTint level, RTint internalformat, RTsizei width,
                                    RTsizei height, RTsizei depth, RTint border, RTenum format,
                                    RTenum type, const void *pixels);

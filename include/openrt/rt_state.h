@@ -190,8 +190,8 @@ RTAPI void RTAPIENTRY rtClearColor(RTclampf red, RTclampf green, RTclampf blue, 
  * rtEnable and rtDisable: not in an object.
  * Errors:  RT_INVALID_ENUM       no switch of this interface
  *          RT_INVALID_OPERATION  rtEnable, the first time: RT_STENCIL_TEST, evaluators,
- *                                RT_TEXTURE_3D, RT_TEXTURE_CUBE_MAP, RT_COLOR_SUM, sample coverage
- *                                and the imaging subset, which there are not
+ *                                RT_TEXTURE_3D, RT_TEXTURE_CUBE_MAP, sample coverage and the
+ *                                imaging subset, which there are not
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtEnable(RTenum cap);
 RTAPI void RTAPIENTRY rtDisable(RTenum cap);

@@ -132,6 +132,15 @@ RTAPI void RTAPIENTRY rtGetTexLevelParameteriv(RTenum target, RTint level, RTenu
 RTAPI void RTAPIENTRY rtGetTexLevelParameterfv(RTenum target, RTint level, RTenum pname,
                                                RTfloat *params);
 
+/* The image of a level of the bound texture, as rtPixelStore of the kind RT_PACK_ says; nothing
+ * where the level has none.
+ * Errors:  RT_INVALID_ENUM       target, format or type is no such token
+ *          RT_INVALID_VALUE      level out of range, pixels NULL
+ *          RT_INVALID_OPERATION  format and type do not fit, or are not of colours
+ * Threads: the context's. Since: 0.1 */
+RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, RTenum type,
+                                    void *pixels);
+
 /* How images lie in the application's memory: RT_UNPACK_ALIGNMENT 1, 2, 4 (start) or 8;
  * RT_UNPACK_ROW_LENGTH, RT_UNPACK_SKIP_PIXELS, RT_UNPACK_SKIP_ROWS from 0 (start), in pixels;
  * RT_UNPACK_SWAP_BYTES 0 (start) or 1.

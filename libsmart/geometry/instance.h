@@ -42,7 +42,10 @@ struct InheritedAttributes {
     glm::vec3 normal{0.0f, 0.0f, 1.0f};
     glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
     std::shared_ptr<const FixedMaterials> materials; ///< nullptr: OpenGL's initial ones
+    glm::vec3 secondaryColor{0.0f};
+    float fogCoordinate = 0.0f;
     bool ownColor = true, ownNormal = true, ownTexCoord = true, ownMaterials = true;
+    bool ownSecondaryColor = true, ownFogCoordinate = true;
 };
 
 /// What an instance has beside its matrix and its object's id. Instances with the same share it.

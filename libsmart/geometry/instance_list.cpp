@@ -42,8 +42,12 @@ bool InstanceTraits::sameAs(const InstanceTraits& other) const {
            sameContent(replacement.get(), other.replacement.get()) &&
            sameBits(a.color, b.color) && sameBits(a.normal, b.normal) &&
            sameBits(a.texCoord, b.texCoord) && a.materials == b.materials &&
+           sameBits(a.secondaryColor, b.secondaryColor) &&
+           std::bit_cast<uint32_t>(a.fogCoordinate) == std::bit_cast<uint32_t>(b.fogCoordinate) &&
            a.ownColor == b.ownColor && a.ownNormal == b.ownNormal &&
-           a.ownTexCoord == b.ownTexCoord && a.ownMaterials == b.ownMaterials;
+           a.ownTexCoord == b.ownTexCoord && a.ownMaterials == b.ownMaterials &&
+           a.ownSecondaryColor == b.ownSecondaryColor &&
+           a.ownFogCoordinate == b.ownFogCoordinate;
 }
 
 std::size_t InstanceTraits::hash() const {
@@ -61,7 +65,9 @@ std::size_t InstanceTraits::hash() const {
         mix(std::bit_cast<uint32_t>(inherited.color[k]));
         mix(std::bit_cast<uint32_t>(inherited.texCoord[k]));
         if (k < 3) mix(std::bit_cast<uint32_t>(inherited.normal[k]));
+        if (k < 3) mix(std::bit_cast<uint32_t>(inherited.secondaryColor[k]));
     }
+    mix(std::bit_cast<uint32_t>(inherited.fogCoordinate));
     return std::size_t(sum);
 }
 

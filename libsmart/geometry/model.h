@@ -30,10 +30,12 @@ struct ShadingData {
     TriangleCorners corners; ///< empty: vertices have neither attributes nor new positions
     /// Attributes of vertices first..; vertices before the first take the instance's.
     uint32_t firstNormal = kNone, firstTexCoord = kNone, firstColor = kNone;
-    uint32_t firstMaterial = kNone;
+    uint32_t firstMaterial = kNone, firstSecondaryColor = kNone, firstFogCoordinate = kNone;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> texCoords;
     std::vector<glm::vec4> colors;
+    std::vector<glm::vec3> secondaryColors;
+    std::vector<float> fogCoordinates;
     std::vector<uint32_t> vertexMaterials; ///< numbers in materials
     std::vector<std::shared_ptr<const FixedMaterials>> materials;
     /// The corner of each triangle that flat shading takes; from kOfNext on, a corner of the

@@ -11,10 +11,6 @@
 namespace smart {
 namespace {
 
-glm::dvec3 weightsOf(const RTSstate& state) {
-    return {state.barycentric[0], state.barycentric[1], state.barycentric[2]};
-}
-
 /// Sides of the texture's first level.
 glm::dvec2 sizeOf(const FixedTexture& texture) {
     const TextureImage& first = texture.image->levels()[texture.image->options().firstLevel];
@@ -23,43 +19,67 @@ glm::dvec2 sizeOf(const FixedTexture& texture) {
 
 } // namespace
 
-glm::vec4 FixedFunctionShader::shade(PointState& point) {
+FixedFunctionShader::Known& FixedFunctionShader::find(const Hit& hit, const FixedViewer& viewer) {
+    if (!known_) (*known_.emplace()).clear();
+    bool isNew = false;
+    Known& known = (*known_)->find(hit, isNew);
+    const FixedViewer& before = known.triangle.viewer();
+    if (!isNew && before.position == viewer.position && before.alwaysLocal == viewer.alwaysLocal)
+        return known;
+    known.triangle = FixedTriangle(resolve(*frame_.scene, hit.path, hit.levels, hit.triangle),
+                                   viewer);
+    known.hasScreen = known.hasTexture = false;
+    return known;
+}
+
+glm::vec4 FixedFunctionShader::shadeAlone(const Ray& ray, const Hit& hit) {
+    Known& known = find(hit, {});
+    const FixedState& fixed = known.triangle.state();
+    const bool back = hasSides(fixed) && showsBackOnScreen(known, ray.dir);
+    const glm::dvec3 weights = cornerWeights(hit.u, hit.v);
+    const LitVertex fragment = known.triangle.at(weights, back);
+    const Texture* const texture = fixed.texture.image.get();
+    const double texels = texture && texture->asksForFootprint()
+                              ? texelsToNeighbours(known, weights, back)
+                              : 0.0;
+    return fogged(fixed.fog, colorOf(fixed, fragment, texels), fragment.fogDistance);
+}
+
+glm::vec4 FixedFunctionShader::shade(PointState& point, const Hit& hit) {
     const RTSstate& state = point.state;
     const FixedViewer viewer = viewerOf(state);
-    useTriangle(point.chain, viewer);
-    const FixedState& fixed = triangle_.state();
+    Known* known = &find(hit, viewer);
+    const FixedState& fixed = known->triangle.state();
     const bool fromCamera = state.depth == 0 && !frame_.camera;
-    const bool back = showsBack(state, fromCamera);
-    const glm::dvec3 weights = weightsOf(state);
+    const bool back =
+        fromCamera ? hasSides(fixed) && showsBackOnScreen(*known, state.rayDirection)
+                   : (state.frontFace != 0) == fixed.raster.frontFaceClockwise;
+    const glm::dvec3 weights = cornerWeights(hit.u, hit.v);
 
     double texels = 0.0;
     if (fixed.texture.image)
-        texels = fromCamera ? texelsToNeighbours(weights, back) : texelsInCone(state, back);
-    LitVertex fragment = triangle_.at(weights, back);
+        texels = fromCamera ? texelsToNeighbours(*known, weights, back)
+                            : texelsInCone(*known, state, back);
+    LitVertex fragment = known->triangle.at(weights, back);
     if (fixed.lighting.enabled && fixed.lighting.shadows && point.start.mayTrace) {
         glm::vec3 visibility[kFixedLights];
         if (findVisibility(point, fragment.lightsIn, visibility)) {
-            useTriangle(point.chain, viewer); // shadow rays may have met others
-            fragment = triangle_.at(weights, back, visibility);
+            known = &find(hit, viewer); // shadow rays may have met others
+            fragment = known->triangle.at(weights, back, visibility);
         }
     }
     if (!fromCamera && !fixed.fog.fromCoordinate) fragment.fogDistance = state.rayDistance;
-    glm::vec4 color;
-    if (fixed.texture.image) {
-        const glm::vec4 texel = fixedTexel(fixed.texture, fragment, texels);
-        color = surfaceColor(fixed, fragment, &texel);
-    } else {
-        color = surfaceColor(fixed, fragment, nullptr);
-    }
+    glm::vec4 color = colorOf(fixed, fragment, texels);
     if (fixed.lighting.reflections && fragment.reflection > 0.0f && point.start.mayTrace)
         color = reflected(point, color, fragment.reflection);
     return fogged(fixed.fog, color, fragment.fogDistance);
 }
 
-void FixedFunctionShader::useTriangle(const HitChain& chain, const FixedViewer& viewer) {
-    if (triangle_.isOf(chain, viewer)) return;
-    triangle_ = FixedTriangle(chain, viewer);
-    hasScreen_ = hasTexture_ = false;
+glm::vec4 FixedFunctionShader::colorOf(const FixedState& state, const LitVertex& fragment,
+                                       double texels) {
+    if (!state.texture.image) return surfaceColor(state, fragment, nullptr);
+    const glm::vec4 texel = fixedTexel(state.texture, fragment, texels);
+    return surfaceColor(state, fragment, &texel);
 }
 
 FixedViewer FixedFunctionShader::viewerOf(const RTSstate& state) const {
@@ -67,69 +87,87 @@ FixedViewer FixedFunctionShader::viewerOf(const RTSstate& state) const {
     return {{state.rayOrigin[0], state.rayOrigin[1], state.rayOrigin[2]}, true};
 }
 
-bool FixedFunctionShader::showsBack(const RTSstate& state, bool fromCamera) {
-    const bool clockwiseIsFront = triangle_.state().raster.frontFaceClockwise;
-    const bool byRay = (state.frontFace != 0) == clockwiseIsFront;
-    if (!fromCamera) return byRay;
-    if (!hasScreen_) {
-        const glm::dmat4& projection = frame_.matrixCamera.projection;
-        const Viewport& viewport = frame_.viewport;
-        for (int i = 0; i < 3; ++i) {
-            const glm::dvec4 clip = projection * glm::dvec4(triangle_.position(i), 1.0);
-            screen_.corners[i] = {viewport.x * clip.w + viewport.width * 0.5 * (clip.x + clip.w),
-                                  viewport.y * clip.w + viewport.height * 0.5 * (clip.y + clip.w),
-                                  clip.w};
-        }
-        const auto& c = screen_.corners;
-        screen_.doubleArea = glm::dot(c[0], glm::cross(c[1], c[2]));
-        hasScreen_ = true;
+const FixedFunctionShader::OnScreen& FixedFunctionShader::screenOf(Known& known) const {
+    OnScreen& screen = known.screen;
+    if (known.hasScreen) return screen;
+    const glm::dmat4& projection = frame_.matrixCamera.projection;
+    const Viewport& viewport = frame_.viewport;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec4 clip = projection * glm::dvec4(known.triangle.position(i), 1.0);
+        screen.corners[i] = {viewport.x * clip.w + viewport.width * 0.5 * (clip.x + clip.w),
+                             viewport.y * clip.w + viewport.height * 0.5 * (clip.y + clip.w),
+                             clip.w};
     }
-    if (screen_.doubleArea == 0.0 || !std::isfinite(screen_.doubleArea)) return byRay;
-    return (screen_.doubleArea > 0.0) == clockwiseIsFront;
+    const auto& c = screen.corners;
+    screen.doubleArea = glm::dot(c[0], glm::cross(c[1], c[2]));
+    known.hasScreen = true;
+    return screen;
 }
 
-double FixedFunctionShader::texelsToNeighbours(const glm::dvec3& weights, bool back) {
-    const auto& c = screen_.corners;
-    if (!hasTexture_) { // the same on both sides
-        const LitVertex (&lit)[3] = triangle_.corners(back);
-        screen_.s = screen_.t = screen_.q = glm::dvec3(0.0);
+bool FixedFunctionShader::hasSides(const FixedState& state) {
+    return state.lighting.reflections || (state.lighting.enabled && state.lighting.twoSided);
+}
+
+bool FixedFunctionShader::showsBackOnScreen(Known& known,
+                                            const float (&rayDirection)[3]) const {
+    const bool clockwiseIsFront = known.triangle.state().raster.frontFaceClockwise;
+    const double doubleArea = screenOf(known).doubleArea;
+    if (doubleArea != 0.0 && std::isfinite(doubleArea))
+        return (doubleArea > 0.0) == clockwiseIsFront;
+    const glm::dvec3 normal =
+        glm::cross(known.triangle.position(1) - known.triangle.position(0),
+                   known.triangle.position(2) - known.triangle.position(0));
+    const glm::dvec3 direction(rayDirection[0], rayDirection[1], rayDirection[2]);
+    const bool facesRay = !(glm::dot(direction, normal) > 0.0);
+    return facesRay == clockwiseIsFront;
+}
+
+double FixedFunctionShader::texelsToNeighbours(Known& known, const glm::dvec3& weights,
+                                               bool back) const {
+    screenOf(known);
+    OnScreen& screen = known.screen;
+    const auto& c = screen.corners;
+    if (!known.hasTexture) { // the same on both sides
+        const LitVertex (&lit)[3] = known.triangle.corners(back);
+        screen.s = screen.t = screen.q = glm::dvec3(0.0);
         for (int i = 0; i < 3; ++i) {
             const glm::dvec3 weight = glm::cross(c[(i + 1) % 3], c[(i + 2) % 3]);
-            screen_.s += double(lit[i].texCoord.x) * weight;
-            screen_.t += double(lit[i].texCoord.y) * weight;
-            screen_.q += double(lit[i].texCoord.w) * weight;
+            screen.s += double(lit[i].texCoord.x) * weight;
+            screen.t += double(lit[i].texCoord.y) * weight;
+            screen.q += double(lit[i].texCoord.w) * weight;
         }
-        hasTexture_ = true;
+        known.hasTexture = true;
     }
     const glm::dvec3 here = weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
     const glm::dvec3 pixel(here.x / here.z, here.y / here.z, 1.0);
-    const glm::dvec2 size = sizeOf(triangle_.state().texture);
-    const double q = glm::dot(screen_.q, pixel);
-    const glm::dvec2 from(glm::dot(screen_.s, pixel) / q, glm::dot(screen_.t, pixel) / q);
+    const glm::dvec2 size = sizeOf(known.triangle.state().texture);
+    const double q = glm::dot(screen.q, pixel);
+    const glm::dvec2 from(glm::dot(screen.s, pixel) / q, glm::dot(screen.t, pixel) / q);
     double squared = 0.0;
     for (int k = 0; k < 2; ++k) {
         glm::dvec3 next = pixel;
         next[k] += 1.0;
-        const double nextQ = glm::dot(screen_.q, next);
+        const double nextQ = glm::dot(screen.q, next);
         if (!(nextQ * q > 0.0)) return HUGE_VAL; // beyond the horizon
         const glm::dvec2 step =
-            (glm::dvec2(glm::dot(screen_.s, next), glm::dot(screen_.t, next)) / nextQ - from) *
+            (glm::dvec2(glm::dot(screen.s, next), glm::dot(screen.t, next)) / nextQ - from) *
             size;
         squared = std::max(squared, glm::dot(step, step));
     }
     return std::sqrt(squared / std::max(frame_.samples, 1u));
 }
 
-double FixedFunctionShader::texelsInCone(const RTSstate& state, bool back) {
-    const LitVertex (&lit)[3] = triangle_.corners(back);
-    const glm::dvec2 size = sizeOf(triangle_.state().texture);
+double FixedFunctionShader::texelsInCone(Known& known, const RTSstate& state, bool back) {
+    FixedTriangle& triangle = known.triangle;
+    const LitVertex (&lit)[3] = triangle.corners(back);
+    const glm::dvec2 size = sizeOf(triangle.state().texture);
     glm::dvec2 at[3];
     for (int i = 0; i < 3; ++i)
         at[i] = glm::dvec2(lit[i].texCoord.x, lit[i].texCoord.y) / double(lit[i].texCoord.w) *
                 glm::dvec2(size.x, std::max(size.y, 1.0));
     const glm::dvec2 a = at[1] - at[0], b = at[2] - at[0];
-    const glm::dvec3 normal = glm::cross(triangle_.position(1) - triangle_.position(0),
-                                         triangle_.position(2) - triangle_.position(0));
+    const glm::dvec3 normal = glm::cross(triangle.position(1) - triangle.position(0),
+                                         triangle.position(2) - triangle.position(0));
     const double density =
         std::sqrt(std::fabs(a.x * b.y - a.y * b.x) / std::sqrt(glm::dot(normal, normal)));
     const float* n = state.geometricNormal;

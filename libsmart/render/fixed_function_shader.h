@@ -2,24 +2,35 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include "libsmart/render/frame.h"
-#include "libsmart/scene/hit_chain.h"
+#include "libsmart/render/thread_loan.h"
+#include "libsmart/render/way_cache.h"
 #include "libsmart/shading/fixed_triangle.h"
 
 namespace smart {
 
 struct PointState;
 
-/// Shades hits by fixed function, and keeps what the hits of a triangle have in common from one
-/// to the next. Belongs to one thread.
+/// Shades hits by fixed function, and keeps what the hits of a triangle have in common. Belongs to
+/// one thread.
 class FixedFunctionShader {
 public:
     explicit FixedFunctionShader(const Frame& frame) : frame_(frame) {}
 
-    /// RGBA of a point at a surface whose outermost instance has a state. Shadow rays and mirrored
-    /// ones go through the point's function table.
-    glm::vec4 shade(PointState& point);
+    /// RGBA of the point where a surface was hit whose outermost instance has a state. Shadow rays
+    /// and mirrored ones go through the point's function table.
+    glm::vec4 shade(PointState& point, const Hit& hit);
+
+    /// Whether the colour of what a camera ray hits depends on the hit alone: the layer's camera is
+    /// the projection matrix, and no rays go on.
+    bool dependsOnHitAlone(const FixedState& state) const {
+        return !frame_.camera && !state.lighting.reflections &&
+               !(state.lighting.enabled && state.lighting.shadows);
+    }
+    /// That colour.
+    glm::vec4 shadeAlone(const Ray& ray, const Hit& hit);
 
 private:
     /// A triangle in the window of a layer whose camera is the projection matrix: homogeneous,
@@ -30,23 +41,31 @@ private:
         double doubleArea;     ///< its sign is the winding's: positive anticlockwise
         glm::dvec3 s, t, q;    ///< texture coordinates, as linear functions of (x, y, 1)
     };
+    struct Known {
+        FixedTriangle triangle;
+        bool hasScreen = false, hasTexture = false;
+        OnScreen screen;
+    };
 
-    void useTriangle(const HitChain& chain, const FixedViewer& viewer);
+    /// Valid up to the next one that is asked for.
+    Known& find(const Hit& hit, const FixedViewer& viewer);
     FixedViewer viewerOf(const RTSstate& state) const;
-    bool showsBack(const RTSstate& state, bool fromCamera);
+    const OnScreen& screenOf(Known& known) const;
+    /// Whether a side matters to the state's colours.
+    static bool hasSides(const FixedState& state);
+    bool showsBackOnScreen(Known& known, const float (&rayDirection)[3]) const;
     /// How far the texture coordinates of the neighbouring pixels lie away, in texels.
-    double texelsToNeighbours(const glm::dvec3& weights, bool back);
+    double texelsToNeighbours(Known& known, const glm::dvec3& weights, bool back) const;
     /// The same by the ray's cone.
-    double texelsInCone(const RTSstate& state, bool back);
+    static double texelsInCone(Known& known, const RTSstate& state, bool back);
+    static glm::vec4 colorOf(const FixedState& state, const LitVertex& fragment, double texels);
     /// Shares of the lights that arrive at the point; false: all do.
     bool findVisibility(PointState& point, uint32_t lights,
                         glm::vec3 (&visibility)[kFixedLights]) const;
     glm::vec4 reflected(PointState& point, const glm::vec4& color, float share) const;
 
     const Frame& frame_;
-    FixedTriangle triangle_;
-    bool hasScreen_ = false, hasTexture_ = false; ///< of triangle_
-    OnScreen screen_;
+    std::optional<ThreadLoan<WayCache<Known>>> known_; ///< from the first hit on
 };
 
 } // namespace smart

@@ -17,13 +17,40 @@ uint32_t RayServices::fixedLanes(const ShaderObject* surface, const RayGroup& ra
     return fixed;
 }
 
+bool RayServices::shadeAlone(const Ray& ray, const Hit& hit, const ShaderObject* surface,
+                             glm::vec4& color) {
+    if (!shading_.fixedFunction || surface != frame_.shaders->front().get()) return false;
+    const FixedState* const state = stateOf(hit);
+    if (!state || !fixed_.dependsOnHitAlone(*state)) return false;
+    color = fixed_.shadeAlone(ray, hit);
+    return true;
+}
+
+void RayServices::describe(const Hit& hit, ShadedSample& found) const {
+    found.distance = hit.t;
+    found.instance = hit.path[0];
+    found.primitive = hit.triangle;
+    const InstanceGroup* group = &frame_.scene->group();
+    for (uint32_t level = 0; level < hit.levels; ++level) {
+        const Instance& instance = group->instances()[hit.path[level]];
+        found.object = instance.objectId;
+        group = &instance.model->children;
+    }
+}
+
 void RayServices::shadeFixed(const RayGroup& rays, uint32_t lanes,
                              glm::vec4 (&colors)[kPacketSize], ShadedSample* found) {
     PointState point;
     std::optional<SurfaceTriangle> triangle; // of the lane before: neighbours often share it
     std::optional<Hit> last;
+    const bool mayBeAlone = rays.depth == 0 && !(found && frame_.target.aux.normal);
     forEach(lanes, [&](int i) {
         const Hit hit = rays.hit(i);
+        if (mayBeAlone && fixed_.dependsOnHitAlone(*stateOf(hit))) {
+            colors[i] = fixed_.shadeAlone(rays.ray(i), hit);
+            if (found) describe(hit, found[i]);
+            return;
+        }
         const bool sameWay = last && last->levels == hit.levels &&
                              std::equal(hit.path, hit.path + hit.levels, last->path);
         if (!sameWay)
@@ -34,7 +61,7 @@ void RayServices::shadeFixed(const RayGroup& rays, uint32_t lanes,
         last = hit;
         placeAt(rays.ray(i), hit, rays.path(i), *triangle, point);
         if (found) found[i].describe(hit, point.state);
-        colors[i] = fixed_.shade(point);
+        colors[i] = fixed_.shade(point, hit);
     });
 }
 
@@ -44,7 +71,7 @@ glm::vec3 RayServices::fixedTransparency(const Ray& ray, const Hit& hit, const P
     PointState point;
     atHit(ray, hit, path, point);
     point.start.mayTrace = false;
-    const glm::vec3 through = blendOf(ops, fixed_.shade(point)).through;
+    const glm::vec3 through = blendOf(ops, fixed_.shade(point, hit)).through;
     return {std::clamp(through.r, 0.0f, 1.0f), std::clamp(through.g, 0.0f, 1.0f),
             std::clamp(through.b, 0.0f, 1.0f)};
 }

@@ -2,28 +2,81 @@
 #include "libsmart/render/frame.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "libsmart/geometry/model.h"
 
 namespace smart {
 
+namespace {
+
+constexpr std::size_t kMostBoxes = 16;
+
+/// Of an instance in its scene, with room for what rounding does to hits.
+Aabb roomyBounds(const Instance& instance) {
+    constexpr float kRoom = 0x1p-10f;
+    Aabb box;
+    if (!instance.model || instance.model->bounds.empty()) return box;
+    const Aabb& own = instance.model->bounds;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 place(corner & 1 ? own.hi[0] : own.lo[0],
+                               corner & 2 ? own.hi[1] : own.lo[1],
+                               corner & 4 ? own.hi[2] : own.lo[2]);
+        const glm::vec3 moved(instance.toParent * glm::dvec4(place, 1.0));
+        box.add(&moved.x);
+    }
+    float size = 0.0f;
+    for (int k = 0; k < 3; ++k)
+        size = std::max({size, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
+    for (int k = 0; k < 3; ++k) {
+        box.lo[k] -= kRoom * size;
+        box.hi[k] += kRoom * size;
+    }
+    return box;
+}
+
+} // namespace
+
+bool LayerNeeds::isAlone(const glm::vec3& place) const {
+    if (seeThrough.empty() || equalsDiffer) return false;
+    return std::none_of(seeThrough.begin(), seeThrough.end(), [&](const Aabb& box) {
+        for (int k = 0; k < 3; ++k)
+            if (!(place[k] >= box.lo[k] && place[k] <= box.hi[k])) return false;
+        return true;
+    });
+}
+
 LayerNeeds findLayerNeeds(const Scene& scene) {
     LayerNeeds needs;
+    bool fewBoxes = true;
     bool first = false, last = false; // which of equal hits some state asks for
     const FixedState* before = nullptr;
     for (const auto& traits : scene.group().traits()) {
         const FixedState* const state = traits->state.get();
         if (!state) first = true;
-        if (!state || state == before) continue;
+        if (!state) continue;
+        if (fewBoxes && !state->isOpaque()) {
+            fewBoxes = needs.seeThrough.size() < kMostBoxes;
+            if (fewBoxes) needs.seeThrough.push_back(roomyBounds(instance));
+        }
+        if (state == before) continue;
         before = state;
         (state->ops.depthFunction == CompareFunction::LessEqual ? last : first) = true;
         needs.collects |= !state->isOpaque();
+        const FixedFragmentOps& ops = state->ops;
         const FixedRaster& raster = state->raster;
+        needs.opaqueHides &= ops.depthTest && !raster.offsetFill &&
+                             (ops.depthFunction == CompareFunction::Less ||
+                              ops.depthFunction == CompareFunction::LessEqual);
         needs.sifts |= raster.cull || raster.polygonMode[0] != FixedPolygonMode::Fill ||
                        raster.polygonMode[1] != FixedPolygonMode::Fill ||
                        std::any_of(std::begin(raster.clip), std::end(raster.clip),
                                    [](bool plane) { return plane; });
     }
     const bool takesLast = scene.view().lastOfEqual != 0;
-    needs.collects |= takesLast ? first : last;
+    needs.equalsDiffer = takesLast ? first : last;
+    needs.collects |= needs.equalsDiffer;
+    if (!fewBoxes) needs.seeThrough.clear();
     return needs;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "libsmart/base/aabb.h"
 #include "libsmart/render/fragments.h"
 #include "libsmart/render/frame_shading.h"
 #include "libsmart/render/framebuffer.h"
@@ -50,6 +51,15 @@ struct MatrixCamera {
 struct LayerNeeds {
     bool collects = false; ///< all hits of a ray matter, not the nearest alone
     bool sifts = false;    ///< hits may not count: culled, clipped, not filled
+    /// What lies behind an opaque hit is not to be seen, whenever it was drawn.
+    bool opaqueHides = true;
+    /// Among opaque hits that are equally far it is not the one that the search finds that shows.
+    bool equalsDiffer = false;
+    /// What is not opaque lies in these boxes; empty where they would be too many to look at.
+    std::vector<Aabb> seeThrough;
+
+    /// Whether an opaque hit there has nothing at its own place that may show as well.
+    bool isAlone(const glm::vec3& place) const;
 };
 LayerNeeds findLayerNeeds(const Scene& scene);
 

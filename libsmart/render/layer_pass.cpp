@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <limits>
 
 #include "libsmart/render/tile_rays.h"
 
@@ -35,19 +37,24 @@ int edgesOf(const Hit& hit) {
 LayerPass::LayerPass(const Frame& layer, bool lowest, const Tile& tile, TilePixels& pixels,
                      LayeredPixels& memory, ShadingForm form)
     : layer_(layer),
+      needs_(layer.needs()),
       lowest_(lowest),
+      keepsNormals_(layer.target.aux.normal != nullptr),
       tile_(tile),
       pixels_(pixels),
       memory_(memory),
       camera_(layer),
       raster_(layer),
-      services_(layer, pixels, form) {}
+      services_(layer, pixels, form) {
+    pass_->surfaces.clear();
+}
 
 void LayerPass::draw(uint32_t sample, uint32_t samples) {
     sample_ = sample;
     samples_ = samples;
     coverPixels();
-    for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet) drawPacket(packet);
+    for (uint32_t packet = 0; packet < tile_order::kPackets; packet += kTilePackets)
+        drawBlock(packet);
 }
 
 void LayerPass::coverPixels() {
@@ -77,7 +84,30 @@ std::span<const PixelFragment> LayerPass::coveredAt(uint32_t entry) const {
     return {first, end};
 }
 
-void LayerPass::drawPacket(uint32_t packet) {
+void LayerPass::drawBlock(uint32_t packet) {
+    LayerPassMemory& pass = *pass_;
+    const auto select = [&](uint32_t i) {
+        rays_ = &pass.rays[i];
+        of_ = &pass.lanes[i];
+    };
+    uint32_t active[kTilePackets], some = 0;
+    for (uint32_t i = 0; i < kTilePackets; ++i) {
+        select(i);
+        begin(packet + i);
+        some |= active[i] = of_->active;
+    }
+    if (some != 0) services_.findTileHits(pass.rays, active);
+    for (uint32_t i = 0; i < kTilePackets; ++i) {
+        select(i);
+        if (of_->open == 0) continue;
+        gather(packet + i);
+        shade(packet + i);
+        merge(packet + i);
+    }
+}
+
+void LayerPass::begin(uint32_t packet) {
+    of_->open = of_->active = of_->all = 0;
     uint32_t inTile = 0, open = 0, seen = 0;
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
         const uint32_t entry = tile_order::entryOf(packet * kLanes + lane);
@@ -94,12 +124,16 @@ void LayerPass::drawPacket(uint32_t packet) {
         return drawPixelsOfObject(packet, open & seen);
     }
     const bool environment = lowest_ && layer_.environment;
-    const uint32_t active = makeRays(packet, environment ? seen : seen & open);
-    if (environment) showEnvironment(packet, active);
+    const uint32_t made = makeRays(packet, environment ? seen : seen & open);
+    if (environment) showEnvironment(packet, made);
     clear(packet, inTile);
-    gather(packet, open, active & open);
-    shade(packet);
-    merge(packet, open);
+    of_->open = open;
+    of_->active = made & open;
+    if (pass_->covered.empty()) return;
+    forEach(of_->active, [&](int lane) {
+        if (needsAll(coveredAt(tile_order::entryOf(packet * kLanes + uint32_t(lane)))))
+            of_->all |= 1u << lane;
+    });
 }
 
 void LayerPass::clear(uint32_t packet, uint32_t lanes) {
@@ -118,21 +152,20 @@ void LayerPass::clear(uint32_t packet, uint32_t lanes) {
 }
 
 uint32_t LayerPass::makeRays(uint32_t packet, uint32_t lanes) {
-    RayGroup& rays = pass_->rays;
     double atX[kPacketSize] = {}, atY[kPacketSize] = {};
     forEach(lanes, [&](int lane) {
         const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
         const uint32_t x = tile_.x + entry % kTileSize, y = tile_.y + entry / kTileSize;
-        pass_->samples[lane] = PixelSample(x, y, sample_, layer_.seed);
+        of_->samples[lane] = PixelSample(x, y, sample_, layer_.seed);
         const glm::vec2 in = samplePosition(x, y, layer_.seed, sample_, samples_);
         atX[lane] = double(x) + in.x;
         atY[lane] = double(y) + in.y;
-        at_[lane] = {atX[lane], atY[lane]};
-        rays.weight[lane] = 1.0f;
-        rays.sample[lane] = &pass_->samples[lane];
+        of_->at[lane] = {atX[lane], atY[lane]};
+        rays_->weight[lane] = 1.0f;
+        rays_->sample[lane] = &of_->samples[lane];
     });
     const uint32_t active =
-        lanes == 0 ? 0 : services_.makeCameraRays(camera_, atX, atY, lanes, rays);
+        lanes == 0 ? 0 : services_.makeCameraRays(camera_, atX, atY, lanes, *rays_);
     forEach(lanes & ~active, [&](int lane) {
         memory_.bad[tile_order::entryOf(packet * kLanes + uint32_t(lane))] = true;
     });
@@ -143,19 +176,19 @@ uint32_t LayerPass::makeRays(uint32_t packet, uint32_t lanes) {
 void LayerPass::showEnvironment(uint32_t packet, uint32_t active) {
     if (active == 0) return;
     glm::vec4 colors[kPacketSize];
-    services_.shadeMisses(pass_->rays, active, colors);
+    services_.shadeMisses(*rays_, active, colors);
     forEach(active, [&](int lane) {
         const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));
-        keepColor(entry, uint32_t(lane), colors[lane]);
+        keepColor(entry, of_->samples[lane], colors[lane]);
         memory_.values[entry].color = colors[lane];
     });
 }
 
 // What a shader made of a pixel; black if it failed.
-void LayerPass::keepColor(uint32_t entry, uint32_t lane, glm::vec4& color) {
+void LayerPass::keepColor(uint32_t entry, const PixelSample& sample, glm::vec4& color) {
     ShadedSample shaded;
     shaded.color = color;
-    shaded.judge(pass_->samples[lane]);
+    shaded.judge(sample);
     memory_.bad[entry] |= shaded.bad;
     color = shaded.color;
 }
@@ -191,86 +224,152 @@ void LayerPass::drawPixelsOfObject(uint32_t packet, uint32_t lanes) {
 
 // Behind the nearest of opaque hits nothing matters, unless a pixel primitive that shows what is
 // behind it takes the hit's place.
-bool LayerPass::needsAll(std::span<const PixelFragment> covered) const {
+bool LayerPass::needsAll(std::span<const PixelFragment> covered) {
     return std::any_of(covered.begin(), covered.end(), [](const PixelFragment& pixel) {
         const FixedState* const state = pixel.fragment.state;
         return state && !state->isOpaque() && state->ops.depthTest && state->ops.depthMask;
     });
 }
 
-void LayerPass::gather(uint32_t packet, uint32_t open, uint32_t active) {
+void LayerPass::gather(uint32_t packet) {
     LayerPassMemory& pass = *pass_;
     pass.hits.clear();
     pass.fragments.clear();
-    uint32_t all = layer_.needs().collects ? active : 0;
-    if (!pass.covered.empty())
-        forEach(active & ~all, [&](int lane) {
-            if (needsAll(coveredAt(tile_order::entryOf(packet * kLanes + uint32_t(lane)))))
-                all |= 1u << lane;
-        });
-    const uint32_t nearest = active & ~all;
-    if (nearest != 0) services_.findHits(pass.rays, nearest);
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
         const std::size_t first = pass.hits.size();
-        bool collect = (all >> lane & 1u) != 0;
-        if (nearest >> lane & 1u) {
-            const Hit hit = pass.rays.hit(int(lane));
-            if (hit.triangle != kNoHit) {
-                keepHits(lane, {&hit, 1});
-                collect = !pass.hits.back().counts; // the ray goes on
-                if (collect) pass.hits.pop_back();
-            }
-        }
-        if (collect) keepHits(lane, services_.findAllHits(pass.rays.ray(int(lane)), pass.met));
+        if ((of_->active >> lane & 1u) && rays_->hasHit(int(lane)))
+            gatherHits(lane, (of_->all >> lane & 1u) != 0);
         lanes_[lane].first = uint32_t(pass.fragments.size());
-        if (open >> lane & 1u)
-            addFragments(lane, first, tile_order::entryOf(packet * kLanes + lane));
+        if (of_->open >> lane & 1u)
+            addFragments(first, tile_order::entryOf(packet * kLanes + lane));
         lanes_[lane].end = uint32_t(pass.fragments.size());
     }
+}
+
+void LayerPass::gatherHits(uint32_t lane, bool all) {
+    LayerPassMemory& pass = *pass_;
+    const std::size_t first = pass.hits.size();
+    const Ray ray = rays_->ray(int(lane));
+    if (!all) {
+        const Hit nearest = rays_->hit(int(lane));
+        Ray near = ray;
+        if (!needs_.collects || decidesAlone(lane, nearest))
+            keepHits(lane, {&nearest, 1});
+        else if ((near.tFar = farthestSeen(lane, nearest)) < ray.tFar)
+            keepHits(lane, services_.findAllHits(near, pass.met));
+        const auto counts = [](const LayerHit& kept) { return kept.counts; };
+        const auto begin = pass.hits.begin() + std::ptrdiff_t(first);
+        if (begin != pass.hits.end() && std::all_of(begin, pass.hits.end(), counts)) return;
+        pass.hits.erase(begin, pass.hits.end()); // the ray goes on
+    }
+    keepHits(lane, services_.findAllHits(ray, pass.met));
+}
+
+bool LayerPass::hidesOthers(uint32_t lane, const Hit& nearest) {
+    if (!needs_.opaqueHides) return false;
+    const LayerSurface& surface = surfaceOf(nearest);
+    return (!surface.state || surface.state->isOpaque()) && isDrawn(surface, nearest, lane);
+}
+
+bool LayerPass::decidesAlone(uint32_t lane, const Hit& nearest) {
+    if (!hidesOthers(lane, nearest)) return false;
+    const Ray ray = rays_->ray(int(lane));
+    glm::vec3 place;
+    for (int k = 0; k < 3; ++k) place[k] = ray.org[k] + nearest.t * ray.dir[k];
+    return needs_.isAlone(place);
+}
+
+float LayerPass::farthestSeen(uint32_t lane, const Hit& nearest) {
+    // Hits as far away as that, but for rounding, are fragments of the same depth.
+    constexpr float kBeyondEqual = 1.0f + 0x1p-14f;
+    return hidesOthers(lane, nearest) ? nearest.t * kBeyondEqual
+                                      : std::numeric_limits<float>::infinity();
 }
 
 void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met) {
     std::vector<LayerHit>& hits = pass_->hits;
     const std::size_t first = hits.size();
     for (const Hit& hit : met) {
+        const LayerSurface& surface = surfaceOf(hit);
         LayerHit& kept = hits.emplace_back();
         kept.hit = hit;
         kept.lane = lane;
-        const HitChain chain = resolve(*layer_.scene, hit.path, hit.levels, hit.triangle);
-        kept.objectId = chain.instances[chain.levels - 1]->objectId;
-        kept.triangle = RasterTriangle(chain);
-        kept.state = chain.instances[0]->traits->state.get();
-        kept.counts = isDrawn(kept);
+        kept.objectId = surface.objectId;
+        kept.state = surface.state;
+        kept.shader = surface.shader;
+        kept.counts = isDrawn(surface, hit, lane);
+        if (kept.counts) kept.depth = depthOf(surface, hit, lane);
     }
-    keepOwned(std::span(hits).subspan(first), at_[lane]);
+    keepOwned(std::span(hits).subspan(first), of_->at[lane]);
 }
 
-// Culling, polygon mode, clip planes and stipple.
-bool LayerPass::isDrawn(const LayerHit& kept) const {
-    if (!kept.state) return true;
-    const FixedRaster& raster = kept.state->raster;
-    const Ray ray = pass_->rays.ray(int(kept.lane));
-    const bool front =
-        raster_.isCounterclockwise(kept.triangle, ray) != raster.frontFaceClockwise;
+const LayerSurface& LayerPass::surfaceOf(const Hit& hit) {
+    bool isNew = false;
+    LayerSurface& surface = pass_->surfaces.find(hit, isNew);
+    if (!isNew) return surface;
+    surface = {};
+    const HitChain chain = resolve(*layer_.scene, hit.path, hit.levels, hit.triangle);
+    surface.triangle = RasterTriangle(chain);
+    surface.plane = raster_.planeOf(surface.triangle);
+    surface.state = chain.instances[0]->traits->state.get();
+    surface.shader = services_.findSurface(hit);
+    surface.objectId = chain.instances[chain.levels - 1]->objectId;
+    if (!surface.state) return surface;
+    const FixedRaster& raster = surface.state->raster;
+    surface.hasHoles = raster.polygonStippled ||
+                       std::any_of(std::begin(raster.clip), std::end(raster.clip),
+                                   [](bool plane) { return plane; });
+    if (!layer_.camera) surface.isShown = isShown(surface.triangle, *surface.state, Ray{});
+    return surface;
+}
+
+// Culling and polygon mode.
+bool LayerPass::isShown(const RasterTriangle& triangle, const FixedState& state,
+                        const Ray& ray) const {
+    const FixedRaster& raster = state.raster;
+    const bool front = raster_.isCounterclockwise(triangle, ray) != raster.frontFaceClockwise;
     if (raster.cull && (raster.cullFace == FixedFace::FrontAndBack ||
                         (raster.cullFace == FixedFace::Front) == front))
         return false;
-    if (raster.polygonMode[front ? 0 : 1] != FixedPolygonMode::Fill) return false;
-    const double u = kept.hit.u, v = kept.hit.v;
-    const glm::dvec3 point = (1.0 - u - v) * kept.triangle.corners[0] +
-                             u * kept.triangle.corners[1] + v * kept.triangle.corners[2];
+    return raster.polygonMode[front ? 0 : 1] == FixedPolygonMode::Fill;
+}
+
+// That, clip planes and stipple.
+bool LayerPass::isDrawn(const LayerSurface& surface, const Hit& hit, uint32_t lane) const {
+    if (!surface.state) return true;
+    const bool shown = layer_.camera ? isShown(surface.triangle, *surface.state,
+                                               rays_->ray(int(lane)))
+                                     : surface.isShown;
+    if (!shown) return false;
+    if (!surface.hasHoles) return true;
+    const FixedRaster& raster = surface.state->raster;
+    const double u = hit.u, v = hit.v;
+    const glm::dvec3(&corners)[3] = surface.triangle.corners;
+    const glm::dvec3 point = (1.0 - u - v) * corners[0] + u * corners[1] + v * corners[2];
     for (int i = 0; i < kFixedClipPlanes; ++i)
         if (raster.clip[i] && glm::dot(raster.clipPlane[i], glm::dvec4(point, 1.0)) < 0.0)
             return false;
     if (!raster.polygonStippled) return true;
-    const PixelSample& pixel = pass_->samples[kept.lane];
+    const PixelSample& pixel = of_->samples[lane];
     return (raster.polygonStipple[pixel.y % 32] >> (31 - pixel.x % 32) & 1u) != 0;
+}
+
+float LayerPass::depthOf(const LayerSurface& surface, const Hit& hit, uint32_t lane) const {
+    PolygonRaster::Depth depth{0.0, 0.0};
+    if (surface.plane.hasDepth)
+        depth = raster_.depthAt(surface.plane, of_->at[lane]);
+    else
+        depth.window = camera_.depth(rays_->ray(int(lane)), hit.t);
+    if (surface.state && surface.state->raster.offsetFill)
+        depth.window += double(surface.state->raster.offsetFactor) * depth.slope +
+                        double(surface.state->raster.offsetUnits) * kDepthUnit;
+    return depth.window > 0.0 ? float(std::min(depth.window, 1.0)) : 0.0f;
 }
 
 // A ray that meets an edge meets both triangles, but OpenGL draws the pixel once. One goes where
 // another one that meets it at a corner, or along the edge, owns the place; or where it lies on its
 // own edge exactly and that is not filled.
-void LayerPass::keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) const {
+void LayerPass::keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) {
     constexpr float kNearEdge = 0x1p-12f;
     if (std::none_of(hits.begin(), hits.end(), [](const LayerHit& kept) {
             return kept.counts && leastWeight(kept.hit) < kNearEdge;
@@ -286,7 +385,7 @@ void LayerPass::keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) const 
     for (LayerHit& kept : hits) {
         OnScreen found{&kept, {}, Coverage::Owned, 0};
         if (!kept.counts || leastWeight(kept.hit) >= kNearEdge) continue;
-        if (!raster_.snap(kept.triangle, found.triangle)) continue;
+        if (!raster_.snap(surfaceOf(kept.hit).triangle, found.triangle)) continue;
         found.coverage = PolygonRaster::coverage(found.triangle, at, found.edges);
         nearEdge.push_back(found);
     }
@@ -307,7 +406,7 @@ void LayerPass::keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) const 
     }
 }
 
-void LayerPass::addFragments(uint32_t lane, std::size_t firstHit, uint32_t entry) {
+void LayerPass::addFragments(std::size_t firstHit, uint32_t entry) {
     LayerPassMemory& pass = *pass_;
     const std::size_t start = pass.fragments.size();
     for (std::size_t i = firstHit; i < pass.hits.size(); ++i) {
@@ -319,13 +418,7 @@ void LayerPass::addFragments(uint32_t lane, std::size_t firstHit, uint32_t entry
             kept.hit.levels == 1 ? kept.hit.triangle : kFirstNested + uint32_t(i - firstHit));
         fragment.state = kept.state;
         fragment.source = uint32_t(i);
-        const PolygonRaster::Depth depth = raster_.depthAt(
-            kept.triangle, at_[lane], camera_.depth(pass.rays.ray(int(lane)), kept.hit.t));
-        double window = depth.window;
-        if (kept.state && kept.state->raster.offsetFill)
-            window += double(kept.state->raster.offsetFactor) * depth.slope +
-                      double(kept.state->raster.offsetUnits) * kDepthUnit;
-        fragment.depth = float(window > 0.0 ? std::min(window, 1.0) : 0.0);
+        fragment.depth = kept.depth;
     }
     const std::span<const PixelFragment> covered = coveredAt(entry);
     for (const PixelFragment& pixel : covered) {
@@ -347,10 +440,16 @@ void LayerPass::shade(uint32_t packet) {
         pass.needed.resize(std::max<std::size_t>(pass.needed.size(), count));
         const uint32_t entry = tile_order::entryOf(packet * kLanes + lane);
         findNeeded(fragments, memory_.values[entry].depth, pass.needed.data());
-        for (uint32_t i = 0; i < count; ++i)
-            if (pass.needed[i] && fragments[i].source != PixelValue::kNoSource)
-                pass.wanted.push_back({first + i, entry,
-                                       services_.findSurface(pass.hits[fragments[i].source].hit)});
+        for (uint32_t i = 0; i < count; ++i) {
+            Fragment& fragment = pass.fragments[first + i];
+            if (!pass.needed[i] || fragment.source == PixelValue::kNoSource) continue;
+            const LayerHit& kept = pass.hits[fragment.source];
+            if (!keepsNormals_ && services_.shadeAlone(rays_->ray(int(lane)), kept.hit, kept.shader,
+                                                       fragment.color))
+                keepColor(entry, of_->samples[lane], fragment.color);
+            else
+                pass.wanted.push_back({first + i, entry, kept.shader});
+        }
     }
     // Sixteen at a time, shader by shader in the order in which they are first met.
     while (!pass.wanted.empty()) {
@@ -371,25 +470,26 @@ void LayerPass::shadeGroup(const ShaderObject* surface, std::span<const WantedCo
     RayGroup group;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const LayerHit& kept = pass.hits[pass.fragments[wanted[i].fragment].source];
-        group.copyLane(int(i), pass.rays, int(kept.lane));
+        group.copyLane(int(i), *rays_, int(kept.lane));
         group.setHit(int(i), kept.hit);
     }
     const auto lanes = uint32_t((uint64_t(1) << wanted.size()) - 1);
     glm::vec4 colors[kPacketSize];
     ShadedSample found[kPacketSize];
-    services_.shadeGroup(surface, {&group, lanes, colors, sample_ == 0 ? found : nullptr});
+    const bool describes = keepsNormals_ && sample_ == 0;
+    services_.shadeGroup(surface, {&group, lanes, colors, describes ? found : nullptr});
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         Fragment& fragment = pass.fragments[wanted[i].fragment];
         LayerHit& kept = pass.hits[fragment.source];
-        keepColor(wanted[i].entry, kept.lane, colors[i]);
+        keepColor(wanted[i].entry, of_->samples[kept.lane], colors[i]);
         fragment.color = colors[i];
         kept.normal = found[i].normal;
     }
 }
 
-void LayerPass::merge(uint32_t packet, uint32_t open) {
+void LayerPass::merge(uint32_t packet) {
     const LayerPassMemory& pass = *pass_;
-    forEach(open, [&](int lane) {
+    forEach(of_->open, [&](int lane) {
         const LaneRange range = lanes_[lane];
         if (range.first == range.end) return;
         const uint32_t entry = tile_order::entryOf(packet * kLanes + uint32_t(lane));

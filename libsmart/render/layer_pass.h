@@ -8,19 +8,41 @@
 #include "libsmart/render/polygon_raster.h"
 #include "libsmart/render/rendering_object.h"
 #include "libsmart/render/shading_services.h"
+#include "libsmart/render/way_cache.h"
 
 namespace smart {
+
+/// What the hits of camera rays at one triangle have in common.
+struct LayerSurface {
+    RasterTriangle triangle;
+    PolygonRaster::Plane plane;
+    const FixedState* state = nullptr; ///< of the scene's instance
+    const ShaderObject* shader = nullptr;
+    uint32_t objectId = kNoId;
+    bool isShown = true; ///< false: culled, or drawn as points or lines; not with a camera shader
+    bool hasHoles = false; ///< clip planes or a stipple
+};
 
 /// A hit of a camera ray on its way to be a fragment.
 struct LayerHit {
     Hit hit;
     uint32_t lane = 0;
     const FixedState* state = nullptr; ///< of the scene's instance
-    RasterTriangle triangle;
+    const ShaderObject* shader = nullptr;
+    float depth = 1.0f; ///< in the window
     bool counts = true; ///< false: culled, clipped, or the neighbour's
     // To be kept beside the colour.
     uint32_t objectId = kNoId;
     glm::vec3 normal{0.0f};
+};
+
+/// What belongs to the camera rays of a packet.
+struct LayerLanes {
+    PixelSample samples[kPacketSize];
+    glm::dvec2 at[kPacketSize]; ///< where in the picture the samples are
+    uint32_t open = 0;          ///< lanes whose pixels the layer may change
+    uint32_t active = 0;        ///< those of them that have a ray
+    uint32_t all = 0;           ///< active ones whose pixels need all hits
 };
 
 /// A fragment of a packet's pixels that is to be shaded.
@@ -31,8 +53,9 @@ struct WantedColor {
 
 /// Memory that a pass uses again for one packet of pixels after the other.
 struct LayerPassMemory {
-    RayGroup rays;
-    PixelSample samples[kPacketSize];
+    RayGroup rays[kTilePackets];
+    LayerLanes lanes[kTilePackets]; ///< of the rays
+    WayCache<LayerSurface> surfaces;
     std::vector<PixelFragment> covered; ///< by pixel primitives: by entry, then in order
     std::vector<Hit> met;
     // Of the packet, lane after lane, each lane's in order.
@@ -60,26 +83,43 @@ private:
 
     void coverPixels();
     std::span<const PixelFragment> coveredAt(uint32_t entry) const;
-    void drawPacket(uint32_t packet);
+    /// kTilePackets packets from a number on.
+    void drawBlock(uint32_t packet);
+    /// Makes the rays, and shows what lies below the layer's primitives.
+    void begin(uint32_t packet);
     void clear(uint32_t packet, uint32_t lanes);
     uint32_t makeRays(uint32_t packet, uint32_t lanes);
     void showEnvironment(uint32_t packet, uint32_t active);
     void drawPixelsOfObject(uint32_t packet, uint32_t lanes);
-    bool needsAll(std::span<const PixelFragment> covered) const;
-    /// Finds the fragments of the `open` lanes, of which the `active` ones have a ray.
-    void gather(uint32_t packet, uint32_t open, uint32_t active);
+    static bool needsAll(std::span<const PixelFragment> covered);
+    /// Finds the fragments of the open lanes, whose nearest hits are known.
+    void gather(uint32_t packet);
+    /// Keeps the hits of a ray that matter.
+    void gatherHits(uint32_t lane, bool all);
+    /// Whether what lies behind a ray's nearest hit is not to be seen;
+    bool hidesOthers(uint32_t lane, const Hit& nearest);
+    /// nor anything at its own place.
+    bool decidesAlone(uint32_t lane, const Hit& nearest);
+    /// The end of what can be seen of a ray's hits where the nearest of them hides the others.
+    float farthestSeen(uint32_t lane, const Hit& nearest);
     void keepHits(uint32_t lane, std::span<const Hit> met);
-    bool isDrawn(const LayerHit& kept) const;
-    void keepOwned(std::span<LayerHit> hits, const glm::dvec2& at) const;
-    void addFragments(uint32_t lane, std::size_t firstHit, uint32_t entry);
+    const LayerSurface& surfaceOf(const Hit& hit);
+    bool isShown(const RasterTriangle& triangle, const FixedState& state, const Ray& ray) const;
+    bool isDrawn(const LayerSurface& surface, const Hit& hit, uint32_t lane) const;
+    /// In the window, with the polygon's offset.
+    float depthOf(const LayerSurface& surface, const Hit& hit, uint32_t lane) const;
+    void keepOwned(std::span<LayerHit> hits, const glm::dvec2& at);
+    void addFragments(std::size_t firstHit, uint32_t entry);
     void shade(uint32_t packet);
     void shadeGroup(const ShaderObject* surface, std::span<const WantedColor> wanted);
-    void keepColor(uint32_t entry, uint32_t lane, glm::vec4& color);
-    void merge(uint32_t packet, uint32_t open);
+    void keepColor(uint32_t entry, const PixelSample& sample, glm::vec4& color);
+    void merge(uint32_t packet);
     void storeFirst(uint32_t entry, const LayerHit& kept);
 
     const Frame& layer_;
+    const LayerNeeds& needs_;
     const bool lowest_;
+    const bool keepsNormals_;
     const Tile& tile_;
     TilePixels& pixels_;
     LayeredPixels& memory_;
@@ -88,8 +128,9 @@ private:
     ShadingServices<DynamicShading> services_;
     const ThreadLoan<LayerPassMemory> pass_;
     uint32_t sample_ = 0, samples_ = 1;
+    RayGroup* rays_ = nullptr; ///< of the packet under way
+    LayerLanes* of_ = nullptr; ///< beside them
     LaneRange lanes_[kPacketSize];
-    glm::dvec2 at_[kPacketSize]; ///< where in the picture the lanes' samples are
 };
 
 } // namespace smart

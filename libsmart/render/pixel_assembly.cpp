@@ -59,6 +59,12 @@ public:
                              &Inherited::color);
         vertex.texCoord = value(number, shading.texCoords, shading.firstTexCoord,
                                 &Inherited::ownTexCoord, &Inherited::texCoord);
+        vertex.secondaryColor =
+            value(number, shading.secondaryColors, shading.firstSecondaryColor,
+                  &Inherited::ownSecondaryColor, &Inherited::secondaryColor);
+        vertex.fogCoordinate =
+            value(number, shading.fogCoordinates, shading.firstFogCoordinate,
+                  &Inherited::ownFogCoordinate, &Inherited::fogCoordinate);
         vertex.materials =
             number >= shading.firstMaterial
                 ? shading.materials[shading.vertexMaterials[number - shading.firstMaterial]].get()
@@ -165,7 +171,8 @@ private:
             vertices_.push_back(clipVertex(reader.read(run, i)));
         if (run.kind == PixelRun::Kind::Points) {
             for (const ClipVertex& vertex : vertices_)
-                if (vertex.isFinite() && volume_.contains(vertex)) addPoint(toWindow_(vertex));
+                if (vertex.isFinite() && volume_.contains(vertex))
+                    addPoint(toWindow_(vertex), vertex.eye);
             return;
         }
         const bool apart = run.kind == PixelRun::Kind::Lines;
@@ -256,7 +263,7 @@ private:
             if (mode == FixedPolygonMode::Line)
                 addLine(window_[i], window_[(i + 1) % window_.size()]);
             else
-                addPoint(window_[i]);
+                addPoint(window_[i], polygon_[i].eye);
         }
     }
 
@@ -269,10 +276,12 @@ private:
         return std::isfinite(offset) ? offset : 0.0;
     }
 
-    void addPoint(const WindowVertex& at) {
+    void addPoint(const WindowVertex& at, const glm::dvec3& eye) {
         for (int k = 0; k < 2; ++k)
             if (!(at.at[k] >= kWindowMin && at.at[k] <= kWindowMax)) return;
-        add(result_.points, PixelItems::Kind::Point).at = at;
+        PixelItems::Point& point = add(result_.points, PixelItems::Kind::Point);
+        point.at = at;
+        if (state_) point.size = pointSizeAt(state_->raster, eye);
     }
 
     void addLine(WindowVertex a, WindowVertex b) {

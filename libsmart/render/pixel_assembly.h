@@ -18,6 +18,7 @@ struct PixelItems {
     };
     struct Point : Common {
         WindowVertex at;
+        float size = 1.0f;
     };
     struct Line : Common {
         WindowVertex from, to;

@@ -87,7 +87,8 @@ TileBins sortIntoTiles(const PixelItems& items, uint32_t width, uint32_t height)
                 forEachTileOfLine(items.lines[index], columns, rows, add);
             } else if (kind == PixelItems::Kind::Point) {
                 const PixelItems::Point& point = items.points[index];
-                const double reach = reachOf(rasterOf(point.state).pointSize);
+                const double reach = reachOf(
+                    std::max(point.size, rasterOf(point.state).pointFadeThreshold));
                 const glm::dvec2 at = point.at.at;
                 forEachTileOf({at.x - reach, at.x + reach}, {at.y - reach, at.y + reach}, columns,
                               rows, add);
@@ -124,16 +125,22 @@ public:
 
     void add(const PixelItems::Point& point) {
         const FixedRaster& raster = rasterOf(point.state);
-        const glm::vec4 color = colorOf(point.state, point.at.lit, 0.0);
+        glm::vec4 color = colorOf(point.state, point.at.lit, 0.0);
+        float size = point.size;
+        if (samples_ > 1 && size < raster.pointFadeThreshold) { // equation 3.2
+            const float share = size / raster.pointFadeThreshold;
+            color.a *= share * share;
+            size = raster.pointFadeThreshold;
+        }
         const auto put = [&](uint32_t x, uint32_t y, double coverage, uint64_t samples) {
             emit(point, x, y, point.at.depth, color, coverage, samples);
         };
         if (samples_ == 1 && !raster.pointSmooth) {
-            pointSquare(point.at.at, raster.pointSize)
+            pointSquare(point.at.at, size)
                 .forEach(tile_, [&](uint32_t x, uint32_t y) { put(x, y, 1.0, kAllSamples); });
             return;
         }
-        const PointDisc disc(point.at.at, raster.pointSize);
+        const PointDisc disc(point.at.at, size);
         disc.box().forEach(tile_, [&](uint32_t x, uint32_t y) {
             if (samples_ == 1)
                 put(x, y, disc.coverage(x, y), kAllSamples);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/render/point_raster.h"
 
+#include <glm/geometric.hpp>
+
 #include "libsmart/render/line_raster.h"
 
 namespace smart {
@@ -11,6 +13,19 @@ double limitedSize(float size) {
 
 uint32_t wholePixels(float size) {
     return uint32_t(limitedSize(size) + 0.5);
+}
+
+float pointSizeAt(const FixedRaster& raster, const glm::dvec3& eye) {
+    double size = raster.pointSize;
+    if (raster.pointAttenuation != glm::vec3(1.0f, 0.0f, 0.0f)) {
+        const glm::dvec3 attenuation(raster.pointAttenuation);
+        const double squared = glm::dot(eye, eye);
+        const double left =
+            attenuation.x + attenuation.y * std::sqrt(squared) + attenuation.z * squared;
+        size /= std::sqrt(left); // infinite, or no number: the limits remain
+    }
+    size = size < raster.pointSizeMax ? size : double(raster.pointSizeMax);
+    return float(size > raster.pointSizeMin ? size : double(raster.pointSizeMin));
 }
 
 PixelBox pointSquare(const glm::dvec2& at, float size) {

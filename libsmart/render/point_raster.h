@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "libsmart/render/framebuffer.h"
+#include "libsmart/shading/fixed_state.h"
 
 namespace smart {
 
@@ -44,11 +46,13 @@ private:
     double radius_;
 };
 
-/// The largest size of points and width of lines.
-inline constexpr float kMaxPixelSize = 255.0f;
 /// A size or width as lines and points have it: 1 to kMaxPixelSize; NaN: 1. Aliased ones have it
 /// rounded.
 double limitedSize(float size);
 uint32_t wholePixels(float size);
+
+/// The size of a point at a place in eye space, attenuated with the distance from the eye and
+/// limited (equation 3.1).
+float pointSizeAt(const FixedRaster& raster, const glm::dvec3& eye);
 
 } // namespace smart

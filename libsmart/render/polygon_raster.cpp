@@ -46,24 +46,30 @@ bool PolygonRaster::isCounterclockwise(const RasterTriangle& triangle, const Ray
            0.0;
 }
 
-PolygonRaster::Depth PolygonRaster::depthAt(const RasterTriangle& triangle, const glm::dvec2& at,
-                                            float met) const {
-    if (layer_.camera) return {met, 0.0};
+PolygonRaster::Plane PolygonRaster::planeOf(const RasterTriangle& triangle) const {
+    Plane result;
+    if (layer_.camera) return result;
     const glm::dvec4 plane(triangle.normal, -glm::dot(triangle.normal, triangle.corners[0]));
     const glm::dmat4& inverse = layer_.matrixCamera.inverse;
-    double clip[4]; // the plane in clip coordinates
+    double(&clip)[4] = result.clip;
     for (int k = 0; k < 4; ++k) clip[k] = glm::dot(plane, inverse[k]);
+    const double size = std::fabs(clip[0]) + std::fabs(clip[1]) + std::fabs(clip[3]);
+    if (!(std::fabs(clip[2]) > 0x1p-40 * size)) return result;
+    const double range = double(layer_.depthFar) - layer_.depthNear;
+    result.slope = std::fabs(range / clip[2]) *
+                   std::max(std::fabs(clip[0]) / layer_.viewport.width,
+                            std::fabs(clip[1]) / layer_.viewport.height);
+    result.hasDepth = true;
+    return result;
+}
+
+PolygonRaster::Depth PolygonRaster::depthAt(const Plane& plane, const glm::dvec2& at) const {
     const Viewport& viewport = layer_.viewport;
     const double x = 2.0 * (at.x - viewport.x) / viewport.width - 1.0;
     const double y = 2.0 * (at.y - viewport.y) / viewport.height - 1.0;
-    const double size = std::fabs(clip[0]) + std::fabs(clip[1]) + std::fabs(clip[3]);
-    if (!(std::fabs(clip[2]) > 0x1p-40 * size)) return {met, 0.0};
-    const double z = -(clip[0] * x + clip[1] * y + clip[3]) / clip[2];
+    const double z = -(plane.clip[0] * x + plane.clip[1] * y + plane.clip[3]) / plane.clip[2];
     const double range = double(layer_.depthFar) - layer_.depthNear;
-    const double slope = std::fabs(range / clip[2]) *
-                         std::max(std::fabs(clip[0]) / viewport.width,
-                                  std::fabs(clip[1]) / viewport.height);
-    return {layer_.depthNear + range * (std::clamp(z, -1.0, 1.0) * 0.5 + 0.5), slope};
+    return {layer_.depthNear + range * (std::clamp(z, -1.0, 1.0) * 0.5 + 0.5), plane.slope};
 }
 
 bool PolygonRaster::snap(const RasterTriangle& triangle, SnappedTriangle& snapped) const {

@@ -48,9 +48,16 @@ public:
         double window; ///< of the triangle's plane there
         double slope;  ///< its largest change for a pixel to the right or up
     };
-    /// At a point of the picture, in pixels. `met`: what the ray says of the window depth, which
-    /// holds where the triangle is seen edge-on, and with a camera shader.
-    Depth depthAt(const RasterTriangle& triangle, const glm::dvec2& at, float met) const;
+    /// What depthAt needs of a triangle.
+    struct Plane {
+        double clip[4] = {};    ///< in clip coordinates
+        double slope = 0.0;     ///< Depth::slope
+        bool hasDepth = false;  ///< false: seen edge-on, or by a camera shader
+    };
+    Plane planeOf(const RasterTriangle& triangle) const;
+    /// At a point of the picture, in pixels. Precondition: hasDepth; else what the ray says of the
+    /// window depth holds, without a slope.
+    Depth depthAt(const Plane& plane, const glm::dvec2& at) const;
 
     /// False where there is no such thing: behind the eye, or with a camera shader.
     bool snap(const RasterTriangle& triangle, SnappedTriangle& snapped) const;

@@ -130,6 +130,9 @@ public:
                       const ShaderObject* (&surfaces)[kPacketSize]);
     /// The same for all of them, where they have one in common; false: some differ.
     bool findSurface(const RayGroup& rays, uint32_t lanes, const ShaderObject*& surface);
+    /// Shades what a camera ray hit, where that takes no more than the hit: fixed function without
+    /// rays that go on. False: it does take more.
+    bool shadeAlone(const Ray& ray, const Hit& hit, const ShaderObject* surface, glm::vec4& color);
     /// What the given rays see that met nothing.
     void shadeMisses(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize]);
 
@@ -194,6 +197,8 @@ protected:
     uint32_t fixedLanes(const ShaderObject* surface, const RayGroup& rays, uint32_t lanes) const;
     void shadeFixed(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
                     ShadedSample* found);
+    /// What is known of a camera ray's hit beside its colour and normal.
+    void describe(const Hit& hit, ShadedSample& found) const;
     /// What such a surface leaves of light.
     glm::vec3 fixedTransparency(const Ray& ray, const Hit& hit, const PathState& path);
 

@@ -77,7 +77,7 @@ glm::vec4 ShadingServices<Shading>::shadeHit(const Ray& ray, const Hit& hit, con
     atHit(ray, hit, path, point);
     RTSstate& state = point.state;
     if (found) found->describe(hit, state);
-    if (isFixed(point.chain)) return fixed_.shade(point);
+    if (isFixed(point.chain)) return fixed_.shade(point, hit);
     const ShaderObject* shader = findSurface(point.chain);
     if (shader) fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, state);
     if (!shader || Shading::template shade<ShadingServices>(*shader, state) != 0) {

@@ -74,16 +74,6 @@ glm::vec3 factorOf(BlendFactor factor, const glm::vec4& source, const glm::vec4&
 
 } // namespace
 
-LitVertex interpolated(const LitVertex& a, const LitVertex& b, const LitVertex& c,
-                       const glm::dvec3& weights) {
-    LitVertex result;
-    forEachValue(result, [&](float& value, auto&& of) {
-        value = float(weights[0] * of(a) + weights[1] * of(b) + weights[2] * of(c));
-    });
-    result.lightsIn = a.lightsIn | b.lightsIn | c.lightsIn;
-    return result;
-}
-
 LitVertex interpolated(const LitVertex& a, const LitVertex& b, double share) {
     LitVertex result;
     forEachValue(result, [&](float& value, auto&& of) {

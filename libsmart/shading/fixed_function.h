@@ -20,6 +20,7 @@ struct FixedVertex {
     glm::dvec3 normal{0.0, 0.0, 1.0};       ///< in eye space, not yet normalised or rescaled
     glm::dvec4 objectPosition{0.0, 0.0, 0.0, 1.0};
     glm::vec4 color{1.0f};
+    glm::vec3 secondaryColor{0.0f};
     glm::vec4 texCoord{0.0f, 0.0f, 0.0f, 1.0f};
     const FixedMaterials* materials = nullptr; ///< nullptr: OpenGL's initial ones
     double normalScale = 1.0;                  ///< rescaleFactor() of the instance's matrices
@@ -53,9 +54,6 @@ struct LitVertex {
 LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool back,
                     const FixedViewer& viewer = {}, const glm::vec3* visibility = nullptr);
 
-/// weights[0] * a + weights[1] * b + weights[2] * c.
-LitVertex interpolated(const LitVertex& a, const LitVertex& b, const LitVertex& c,
-                       const glm::dvec3& weights);
 /// (1 - share) * a + share * b.
 LitVertex interpolated(const LitVertex& a, const LitVertex& b, double share);
 

@@ -180,6 +180,7 @@ LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool bac
         illuminate(lighting, vertex, other ? -normal : normal, other, viewer, visibility, result);
     } else {
         for (int k = 0; k < 4; ++k) result.primary[k] = clamped(double(vertex.color[k]));
+        if (lighting.colorSum) result.secondary = clamped(glm::dvec3(vertex.secondaryColor));
         if (vertex.materials)
             result.reflection =
                 clamped(double((back ? vertex.materials->back : vertex.materials->front)

@@ -15,6 +15,8 @@ class Texture;
 
 inline constexpr int kFixedLights = 8;
 inline constexpr int kFixedClipPlanes = 6;
+/// The largest size of points and width of lines, in pixels.
+inline constexpr float kMaxPixelSize = 255.0f;
 
 /// One side's material (OpenGL 1.5, table 6.8); reflection is ours.
 struct FixedMaterial {
@@ -58,6 +60,7 @@ struct FixedLighting {
     bool normalize = false, rescaleNormal = false;
     bool twoSided = false, localViewer = false, separateSpecular = false;
     bool colorMaterial = false;
+    bool colorSum = false; ///< the vertices' secondary colour is added, without lighting
     ColorMaterialMode colorMaterialMode = ColorMaterialMode::AmbientAndDiffuse;
     FixedFace colorMaterialFace = FixedFace::FrontAndBack;
     ShadeModel shadeModel = ShadeModel::Smooth;
@@ -65,6 +68,8 @@ struct FixedLighting {
     FixedLight lights[kFixedLights];
     bool shadows = false, reflections = false;
 
+    /// Whether fragments have a secondary colour.
+    bool hasSecondary() const { return enabled ? separateSpecular : colorSum; }
     bool operator==(const FixedLighting&) const = default;
 };
 
@@ -171,6 +176,9 @@ struct FixedRaster {
     bool polygonStippled = false;
     uint32_t polygonStipple[32]; ///< rows from the bottom, most significant bit leftmost
     float pointSize = 1.0f, lineWidth = 1.0f;
+    float pointSizeMin = 0.0f, pointSizeMax = kMaxPixelSize;
+    float pointFadeThreshold = 1.0f;
+    glm::vec3 pointAttenuation{1.0f, 0.0f, 0.0f}; ///< constant, linear, quadratic
     bool pointSmooth = false, lineSmooth = false, polygonSmooth = false;
     bool lineStippled = false;
     uint16_t linePattern = 0xFFFF;

@@ -121,7 +121,7 @@ glm::vec4 surfaceColor(const FixedState& state, const LitVertex& fragment,
                             : combined(texture.mode, texture.image->format(), color, *texel,
                                        constant));
     }
-    if (!state.lighting.enabled || !state.lighting.separateSpecular) return color;
+    if (!state.lighting.hasSecondary()) return color;
     return clamped(color + glm::vec4(fragment.secondary, 0.0f));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/shading/fixed_triangle.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -28,6 +27,11 @@ glm::vec4 mix(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c,
     return glm::vec4(weights[0] * glm::dvec4(a) + weights[1] * glm::dvec4(b) +
                      weights[2] * glm::dvec4(c));
 }
+glm::vec3 mix(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+              const glm::dvec3& weights) {
+    return glm::vec3(weights[0] * glm::dvec3(a) + weights[1] * glm::dvec3(b) +
+                     weights[2] * glm::dvec3(c));
+}
 float mix(float a, float b, float c, const glm::dvec3& weights) {
     return float(weights[0] * a + weights[1] * b + weights[2] * c);
 }
@@ -47,6 +51,7 @@ class VertexReader {
 public:
     explicit VertexReader(const HitChain& chain)
         : chain_(chain),
+          state_(*chain.instances[0]->traits->state),
           attributes_(chain),
           normals_(normalMatrix(chain.toWorld)),
           normalScale_(rescaleFactor(chain.toWorld)) {}
@@ -78,11 +83,20 @@ public:
                      : attributes_.inheritedValue(&Inherited::ownMaterials, &Inherited::materials)
                            .get();
         vertex.normalScale = normalScale_;
+        if (state_.lighting.colorSum)
+            vertex.secondaryColor = attribute(shading.secondaryColors, shading.firstSecondaryColor,
+                                              &Inherited::ownSecondaryColor,
+                                              &Inherited::secondaryColor);
+        if (state_.fog.fromCoordinate)
+            vertex.fogCoordinate = attribute(shading.fogCoordinates, shading.firstFogCoordinate,
+                                             &Inherited::ownFogCoordinate,
+                                             &Inherited::fogCoordinate);
         return vertex;
     }
 
 private:
     const HitChain& chain_;
+    const FixedState& state_;
     const CornerAttributes attributes_;
     const glm::dmat3 normals_;
     const double normalScale_;
@@ -91,26 +105,16 @@ private:
 } // namespace
 
 FixedTriangle::FixedTriangle(const HitChain& chain, const FixedViewer& viewer)
-    : state_(chain.instances[0]->traits->state.get()),
-      levels_(chain.levels),
-      triangle_(chain.triangle),
-      viewer_(viewer) {
-    std::copy_n(chain.instances, levels_, instances_);
+    : state_(chain.instances[0]->traits->state.get()), viewer_(viewer) {
     const VertexReader reader(chain);
-    for (int corner = 0; corner < 3; ++corner)
-        vertices_[corner] = reader.read(triangle_, corner);
+    const uint32_t triangle = chain.triangle;
+    for (int corner = 0; corner < 3; ++corner) vertices_[corner] = reader.read(triangle, corner);
     const std::vector<uint8_t>& provoking = chain.model->shading.provoking;
-    provoking_ = provoking.empty() ? ShadingData::kLastCorner : provoking[triangle_];
+    provoking_ = provoking.empty() ? ShadingData::kLastCorner : provoking[triangle];
     if (provoking_ >= ShadingData::kOfNext) {
-        vertices_[kProvoking] = reader.read(triangle_ + 1, provoking_ - ShadingData::kOfNext);
+        vertices_[kProvoking] = reader.read(triangle + 1, provoking_ - ShadingData::kOfNext);
         provoking_ = kProvoking;
     }
-}
-
-bool FixedTriangle::isOf(const HitChain& chain, const FixedViewer& viewer) const {
-    return state_ && triangle_ == chain.triangle && levels_ == chain.levels &&
-           viewer_.position == viewer.position && viewer_.alwaysLocal == viewer.alwaysLocal &&
-           std::equal(instances_, instances_ + levels_, chain.instances);
 }
 
 LitVertex FixedTriangle::lit(const FixedVertex& vertex, bool back,
@@ -150,6 +154,8 @@ FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& m
     if (squared > 0.0) vertex.normal /= std::sqrt(squared);
     vertex.normalScale = 1.0;
     vertex.color = mix(vertices_[0].color, vertices_[1].color, vertices_[2].color, weights);
+    vertex.secondaryColor = mix(vertices_[0].secondaryColor, vertices_[1].secondaryColor,
+                                vertices_[2].secondaryColor, weights);
     if (vertices_[0].materials != vertices_[1].materials ||
         vertices_[0].materials != vertices_[2].materials) {
         static const FixedMaterials initial;
@@ -163,10 +169,26 @@ FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& m
     return vertex;
 }
 
+LitVertex FixedTriangle::interpolated(const LitVertex (&corners)[3],
+                                      const glm::dvec3& weights) const {
+    const auto& [a, b, c] = corners;
+    LitVertex result;
+    result.primary = mix(a.primary, b.primary, c.primary, weights);
+    if (state_->lighting.hasSecondary())
+        result.secondary = mix(a.secondary, b.secondary, c.secondary, weights);
+    if (state_->texture.image) result.texCoord = mix(a.texCoord, b.texCoord, c.texCoord, weights);
+    if (state_->fog.enabled)
+        result.fogDistance = mix(a.fogDistance, b.fogDistance, c.fogDistance, weights);
+    if (state_->lighting.reflections)
+        result.reflection = mix(a.reflection, b.reflection, c.reflection, weights);
+    result.lightsIn = a.lightsIn | b.lightsIn | c.lightsIn;
+    return result;
+}
+
 LitVertex FixedTriangle::at(const glm::dvec3& weights, bool back, const glm::vec3* visibility) {
     const LitVertex (&corner)[3] = corners(back);
     const auto withColorsOf = [&](const LitVertex& lit) {
-        LitVertex result = interpolated(corner[0], corner[1], corner[2], weights);
+        LitVertex result = interpolated(corner, weights);
         result.primary = lit.primary;
         result.secondary = lit.secondary;
         result.reflection = lit.reflection;
@@ -183,9 +205,11 @@ LitVertex FixedTriangle::at(const glm::dvec3& weights, bool back, const glm::vec
     }
     case ShadeModel::Smooth: break;
     }
-    if (!visibility) return interpolated(corner[0], corner[1], corner[2], weights);
-    return interpolated(lit(vertices_[0], back, visibility), lit(vertices_[1], back, visibility),
-                        lit(vertices_[2], back, visibility), weights);
+    if (!visibility) return interpolated(corner, weights);
+    const LitVertex left[3] = {lit(vertices_[0], back, visibility),
+                               lit(vertices_[1], back, visibility),
+                               lit(vertices_[2], back, visibility)};
+    return interpolated(left, weights);
 }
 
 } // namespace smart

@@ -16,8 +16,7 @@ public:
     FixedTriangle(const HitChain& chain, const FixedViewer& viewer);
 
     const FixedState& state() const { return *state_; }
-    /// Whether it was made for this triangle as it is met from there.
-    bool isOf(const HitChain& chain, const FixedViewer& viewer) const;
+    const FixedViewer& viewer() const { return viewer_; }
 
     const glm::dvec3& position(int corner) const { return vertices_[corner].position; }
     /// The lit vertices.
@@ -32,10 +31,10 @@ private:
     void light(bool back);
     FixedVertex vertexAt(const glm::dvec3& weights, FixedMaterials& memory) const;
     LitVertex lit(const FixedVertex& vertex, bool back, const glm::vec3* visibility) const;
+    /// What the state makes use of; the rest is left as it is.
+    LitVertex interpolated(const LitVertex (&corners)[3], const glm::dvec3& weights) const;
 
     const FixedState* state_ = nullptr;
-    const InstanceView* instances_[kMaxLevels];
-    uint32_t levels_ = 0, triangle_ = 0;
     FixedViewer viewer_;
     FixedVertex vertices_[4];
     int provoking_ = 2;

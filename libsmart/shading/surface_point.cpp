@@ -77,14 +77,6 @@ const std::byte* findBlock(const std::vector<uint32_t>& offsets, const std::vect
     return data.data() + offsets[index];
 }
 
-/// Weights of the corners. u and v were rounded each by itself: together they may exceed 1 by a
-/// little, and name a point beside the triangle, which need not be inside a closed body any more.
-glm::dvec3 weightsOf(float u, float v) {
-    const double sum = double(u) + double(v);
-    if (sum > 1.0) return {0.0, u / sum, v / sum};
-    return {1.0 - sum, u, v};
-}
-
 uint32_t ownShader(const HitChain& chain) {
     const ShadingData& shading = chain.model->shading;
     if (shading.shaders.empty()) return 0;
@@ -92,6 +84,12 @@ uint32_t ownShader(const HitChain& chain) {
 }
 
 } // namespace
+
+glm::dvec3 cornerWeights(float u, float v) {
+    const double sum = double(u) + double(v);
+    if (sum > 1.0) return {0.0, u / sum, v / sum};
+    return {1.0 - sum, u, v};
+}
 
 uint32_t effectiveShader(const HitChain& chain) {
     uint32_t shader = ownShader(chain);
@@ -128,7 +126,7 @@ void fillSurfacePoint(SurfaceTriangle& triangle, uint32_t instance, const Ray& r
     store(state.rayDirection, direction);
     state.rayDistance = float(t * length);
 
-    const glm::dvec3 weights = weightsOf(u, v);
+    const glm::dvec3 weights = cornerWeights(u, v);
     store(state.barycentric, weights);
     store(state.position, weights[0] * triangle.corner(0) + weights[1] * triangle.corner(1) +
                               weights[2] * triangle.corner(2));

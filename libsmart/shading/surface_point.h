@@ -16,6 +16,11 @@ namespace smart {
 /// it, from the innermost outward.
 uint32_t effectiveShader(const HitChain& chain);
 
+/// Weights of the corners at a hit. u and v were rounded each by itself: together they may exceed 1
+/// by a little, and name a point beside the triangle, which need not be inside a closed body any
+/// more.
+glm::dvec3 cornerWeights(float u, float v);
+
 /// What the hits of one triangle, met in one way, have in common. Made for the first of them, whose
 /// chain has to live as long.
 class SurfaceTriangle {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -69,6 +70,8 @@ public:
     /// of which 0 and less are magnification. The memory of levels that are made is the only
     /// thing that may be lacking; then it is the first level.
     glm::vec4 sample(float s, float t, float footprint = 0.0f) const noexcept;
+    /// False: all footprints give the same.
+    bool asksForFootprint() const { return minified_ < std::numeric_limits<double>::infinity(); }
 
     const TextureLevels& levels() const { return *levels_; }
     const TextureOptions& options() const { return options_; }

@@ -104,7 +104,8 @@ TEST_F(FixedState, RefusesOnceForEachFunctionAndSwitch) {
     };
     twice([] { rtEnable(RT_STENCIL_TEST); }, RT_INVALID_OPERATION);
     EXPECT_FALSE(rtIsEnabled(RT_STENCIL_TEST));
-    twice([] { rtEnable(RT_COLOR_SUM); }, RT_INVALID_OPERATION);
+    twice([] { rtEnable(RT_COLOR_SUM); }, RT_NO_ERROR);
+    EXPECT_TRUE(rtIsEnabled(RT_COLOR_SUM));
     twice([] { rtEnable(RT_TEXTURE_3D); }, RT_INVALID_OPERATION);
     twice([] { rtAccum(RT_ACCUM, 1); }, RT_INVALID_OPERATION);
     twice([] { rtEvalCoord1f(1); }, RT_INVALID_OPERATION);
@@ -181,7 +182,9 @@ TEST_F(FixedState, NullAndNotANumberChangeNothing) {
         {RT_INVALID_VALUE, [] { rtFogfv(RT_FOG_COLOR, nullptr); }},
         {RT_INVALID_VALUE, [] { rtFogf(RT_FOG_DENSITY, NAN); }},
         {RT_INVALID_ENUM, [] { rtFogf(RT_FOG_MODE, 1e30f); }},
-        {RT_INVALID_OPERATION, [] { rtFogi(RT_FOG_COORDINATE_SOURCE, RT_FOG_COORDINATE); }},
+        {RT_INVALID_VALUE, [] { rtPointParameterf(RT_POINT_SIZE_MIN, NAN); }},
+        {RT_INVALID_VALUE, [] { rtPointParameterfv(RT_POINT_SIZE_MAX, nullptr); }},
+        {RT_INVALID_ENUM, [] { rtPointParameterf(RT_POINT_DISTANCE_ATTENUATION, 1); }},
         {RT_INVALID_VALUE, [] { rtTexEnvfv(RT_TEXTURE_ENV, RT_TEXTURE_ENV_COLOR, nullptr); }},
         {RT_INVALID_ENUM, [] { rtTexEnvf(RT_TEXTURE_ENV, RT_TEXTURE_ENV_COLOR, 1); }},
         {RT_INVALID_VALUE, [] { rtTexEnvf(RT_TEXTURE_ENV, RT_RGB_SCALE, NAN); }},

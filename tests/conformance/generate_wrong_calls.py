@@ -83,6 +83,7 @@ LEGAL = {
     "TexParameteriv": "GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, ints",
     "GetTexParameterfv": "GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, memory",
     "GetTexParameteriv": "GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, memory",
+    "GetTexImage": "GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, memory",
     "GetTexLevelParameterfv": "GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, memory",
     "GetTexLevelParameteriv": "GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, memory",
     "TexImage1D": "GL_TEXTURE_1D, 0, GL_RGB, 4, 0, GL_RGB, GL_UNSIGNED_BYTE, memory",

@@ -164,6 +164,17 @@ static void coloring(void) {
     STATE(GL_FOG_END, 1, glFogf(GL_FOG_END, -7.25f));
     STATE(GL_FOG_MODE, 1, glFogi(GL_FOG_MODE, GL_LINEAR));
     SWITCH(GL_FOG);
+    beginCase("GL_FOG_COORDINATE_SOURCE"); /* Mesa does not bring it back, */
+    tellAll(GL_FOG_COORDINATE_SOURCE, 1);
+    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    tellAll(GL_FOG_COORDINATE_SOURCE, 1);
+    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FRAGMENT_DEPTH);
+    beginCase("GL_COLOR_SUM"); /* nor this, table 6.8 */
+    tellAll(GL_COLOR_SUM, 1);
+    glEnable(GL_COLOR_SUM);
+    tellAll(GL_COLOR_SUM, 1);
+    glDisable(GL_COLOR_SUM);
+    tellAll(GL_COLOR_SUM, 1);
     STATE(GL_SHADE_MODEL, 1, glShadeModel(GL_FLAT));
     SWITCH(GL_LIGHTING);
     SWITCH(GL_COLOR_MATERIAL);
@@ -248,7 +259,12 @@ static void lightsAndMaterials(void) {
 }
 
 static void rasterization(void) {
+    static const GLfloat attenuation[3] = {0.5f, 0.25f, 2.5f};
     STATE(GL_POINT_SIZE, 1, glPointSize(2.75f));
+    STATE(GL_POINT_SIZE_MIN, 1, glPointParameterf(GL_POINT_SIZE_MIN, 1.75f));
+    STATE(GL_POINT_FADE_THRESHOLD_SIZE, 1, glPointParameteri(GL_POINT_FADE_THRESHOLD_SIZE, 3));
+    STATE(GL_POINT_DISTANCE_ATTENUATION, 3,
+          glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation));
     SWITCH(GL_POINT_SMOOTH);
     STATE(GL_LINE_WIDTH, 1, glLineWidth(2.25f));
     SWITCH(GL_LINE_SMOOTH);

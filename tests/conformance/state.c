@@ -443,6 +443,55 @@ static void listsAndTextures(void) {
     printf("%s\n", (const char*)gluErrorString(GL_NO_ERROR));
 }
 
+/* Images of textures, of each base format, read back in each format of pixels. */
+static void texturesReadBack(void) {
+    static const struct {
+        const char* name;
+        GLint format;
+    } kept[] = {{"alpha", GL_ALPHA8}, {"luminance", GL_LUMINANCE8},
+                {"luminance_alpha", GL_LUMINANCE8_ALPHA8}, {"intensity", GL_INTENSITY8},
+                {"rgb", GL_RGB8}, {"rgba", GL_RGBA8}};
+    static const GLenum formats[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_RGBA, GL_BGRA};
+    static const GLenum types[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT};
+    GLubyte image[3 * 2 * 4], bytes[64];
+    GLushort shorts[64];
+    GLfloat floats[64];
+    for (int i = 0; i < 24; ++i) image[i] = (GLubyte)(11 * i + 3);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (size_t k = 0; k < sizeof kept / sizeof kept[0]; ++k) {
+        char name[64];
+        snprintf(name, sizeof name, "textures/read_back/%s", kept[k].name);
+        beginCase(name);
+        glTexImage2D(GL_TEXTURE_2D, 0, kept[k].format, 3, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, image);
+        for (size_t f = 0; f < sizeof formats / sizeof formats[0]; ++f)
+            for (size_t t = 0; t < sizeof types / sizeof types[0]; ++t) {
+                for (int i = 0; i < 64; ++i) floats[i] = (GLfloat)(shorts[i] = bytes[i] = 77);
+                void* const to[3] = {bytes, shorts, floats};
+                glPixelStorei(GL_PACK_ALIGNMENT, 4);
+                glGetTexImage(GL_TEXTURE_2D, 0, formats[f], types[t], to[t]);
+                for (int i = 0; i < 26; ++i)
+                    printf("%.5g ", t == 0 ? bytes[i] : t == 1 ? shorts[i] : (double)floats[i]);
+                printf("\n");
+            }
+        tellError();
+    }
+    beginCase("textures/read_back/wrong");
+    bytes[0] = 5;
+    glGetTexImage(GL_TEXTURE_2D, 3, GL_RGBA, GL_UNSIGNED_BYTE, bytes); /* no such image */
+    tellError();
+    glGetTexImage(GL_TEXTURE_2D, -1, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+    tellError();
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_RGBA, bytes);
+    tellError();
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_SHORT_4_4_4_4, bytes);
+    tellError();
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, floats);
+    tellError();
+    glGetTexImage(GL_LIGHT0, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+    tellError();
+    printf("%d\n", bytes[0]);
+}
+
 static void askQuestions(void) {
     defaults();
     capabilities();
@@ -456,4 +505,5 @@ static void askQuestions(void) {
     currentValues();
     attributeStack();
     listsAndTextures();
+    texturesReadBack();
 }

@@ -8,8 +8,8 @@
 namespace conformance {
 namespace {
 
-constexpr const char* kPrograms[] = {"errors",  "feedback", "fragments",  "primitives",
-                                     "queries", "state",    "wrong_calls"};
+constexpr const char* kPrograms[] = {"attributes", "errors",  "feedback", "fragments",
+                                     "primitives", "queries", "state",    "wrong_calls"};
 
 struct Answers {
     Transcript openGl, openRt;

@@ -74,7 +74,8 @@ TEST(Layers, BlendedSurfacesInPerspective) {
 TEST(Layers, RandomRectanglesInOrder) {
     std::mt19937 random(11);
     const auto below = [&](uint32_t n) { return random() % n; };
-    for (int round = 0; round < 12; ++round) {
+    for (int round = 0; round < 24; ++round) {
+        const bool byDepth = round % 2 == 1; // opaque ones hide what is behind them
         constexpr uint32_t kSize = 40;
         struct Given {
             float x0, y0, x1, y1, z;
@@ -90,9 +91,10 @@ TEST(Layers, RandomRectanglesInOrder) {
             g.z = float(below(8)) * 10 - 35;
             for (int k = 0; k < 4; ++k) g.color[k] = float(below(9)) / 8.0f;
             g.state = stateWith([&](FixedState& s) {
-                s.ops.depthTest = below(4) != 0;
-                s.ops.depthFunction =
-                    below(2) ? CompareFunction::Less : CompareFunction(below(8));
+                s.ops.depthTest = byDepth || below(4) != 0;
+                s.ops.depthFunction = below(2)  ? CompareFunction::Less
+                                      : byDepth ? CompareFunction::LessEqual
+                                                : CompareFunction(below(8));
                 s.ops.depthMask = below(4) != 0;
                 s.ops.alphaTest = below(4) == 0;
                 s.ops.alphaFunction = CompareFunction::Greater;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "libsmart/geometry/model_builder.h"
+#include "libsmart/render/point_raster.h"
 
 namespace smart {
 namespace {
@@ -270,6 +271,50 @@ TEST(PixelPrimitives, SmoothLinesAndPointsHaveCoverageInAlpha) {
     for (const Found& one : cover(*layerOf(points.build(), shared(state))))
         sum += one.pixel.fragment.color.a;
     EXPECT_NEAR(sum, 9 * 3.14159265, 0.3);
+}
+
+TEST(PixelPrimitives, PointsGetSmallerWithTheirDistance) {
+    FixedRaster raster;
+    raster.pointSize = 12.0f;
+    raster.pointAttenuation = {0.5f, 0.25f, 0.125f};
+    const glm::dvec3 eye(2.0, -3.0, -6.0); // at distance 7
+    EXPECT_NEAR(pointSizeAt(raster, eye), 12.0 / std::sqrt(0.5 + 0.25 * 7 + 0.125 * 49), 1e-5);
+    raster.pointSizeMin = 9.0f;
+    EXPECT_EQ(pointSizeAt(raster, eye), 9.0f);
+    raster.pointSizeMin = 0.0f;
+    raster.pointSizeMax = 2.5f;
+    EXPECT_EQ(pointSizeAt(raster, eye), 2.5f);
+    for (const float wrong : {0.0f, -1.0f, kNan, kInf, -kInf}) {
+        raster.pointAttenuation = {wrong, wrong, wrong};
+        const float size = pointSizeAt(raster, eye);
+        EXPECT_TRUE(size >= raster.pointSizeMin && size <= raster.pointSizeMax) << wrong;
+    }
+    FixedState state = startState();
+    state.raster.pointSize = 8.0f;
+    state.raster.pointAttenuation = {0.0f, 0.0f, 0.25f};
+    PixelModel model;
+    model.add(PixelRun::Kind::Points, {{{0.1f, 0.1f, -2.0f}}, {{-2.1f, 0.2f, -8.0f}}});
+    const auto found = cover(*layerOf(model.build(), shared(state), deepProjection()));
+    EXPECT_EQ(found.size(), 64u + 4u); // at distances of 2 and a little more than 8
+}
+
+TEST(PixelPrimitives, SmallPointsFadeWithSeveralSamples) {
+    FixedState state = startState();
+    state.raster.pointSize = 3.0f;
+    state.raster.pointFadeThreshold = 6.0f;
+    PixelModel model;
+    model.add(PixelRun::Kind::Points, {{{32.0f, 32.0f, 0.0f}}});
+    const ModelPtr built = model.build();
+    for (const uint32_t samples : {1u, 4u}) {
+        const auto layer = layerOf(built, shared(state));
+        layer->samples = samples;
+        float widest = 0.0f;
+        for (const Found& one : cover(*layer)) {
+            EXPECT_FLOAT_EQ(one.pixel.fragment.color.a, samples == 1 ? 1.0f : 0.25f);
+            widest = std::max(widest, std::fabs(float(one.x) + 0.5f - 32.0f));
+        }
+        EXPECT_EQ(widest, samples == 1 ? 1.5f : 2.5f);
+    }
 }
 
 TEST(PixelPrimitives, SamplesAreCoveredOneByOne) {

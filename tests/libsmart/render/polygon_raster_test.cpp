@@ -68,7 +68,9 @@ TEST(PolygonRaster, WindingOnTheScreenAndDepthAgainstProjectedCorners) {
             const double b = share(random), c = share(random) * (1.0 - b);
             const glm::dvec3 at = (1.0 - b - c) * w[0] + b * w[1] + c * w[2];
             if (at.z < 0.25 || at.z > 0.75) continue;
-            const PolygonRaster::Depth depth = raster.depthAt(triangle, glm::dvec2(at), 9.0f);
+            const PolygonRaster::Plane plane = raster.planeOf(triangle);
+            ASSERT_TRUE(plane.hasDepth);
+            const PolygonRaster::Depth depth = raster.depthAt(plane, glm::dvec2(at));
             EXPECT_NEAR(depth.window, at.z, 1e-9) << cases;
             const glm::dvec3 u = w[1] - w[0], v = w[2] - w[0];
             const double x = (u.z * v.y - v.z * u.y) / area, y = (u.x * v.z - v.x * u.z) / area;
@@ -80,14 +82,13 @@ TEST(PolygonRaster, WindingOnTheScreenAndDepthAgainstProjectedCorners) {
     EXPECT_LT(front, cases * 2 / 3);
 }
 
-TEST(PolygonRaster, EdgeOnTheDepthIsTheRays) {
+TEST(PolygonRaster, EdgeOnThereIsNoDepth) {
     Frame frame;
     frame.matrixCamera = cameraOf(glm::ortho(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0));
     frame.viewport = {0, 0, 16, 16};
     const PolygonRaster raster(frame);
     const RasterTriangle triangle = triangleOf({0, -1, 0.5}, {0, 1, 0.5}, {0, 0, -0.5});
-    EXPECT_EQ(raster.depthAt(triangle, {8, 8}, 0.375f).window, 0.375);
-    EXPECT_EQ(raster.depthAt(triangle, {8, 8}, 0.375f).slope, 0.0);
+    EXPECT_FALSE(raster.planeOf(triangle).hasDepth);
 }
 
 SnappedTriangle snapped(const std::vector<glm::dvec2>& corners) {
