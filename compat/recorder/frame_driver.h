@@ -34,6 +34,9 @@ public:
     uint32_t queueView();
     /// A frame was waited for: from now on the statistics are its own.
     void waitedFor(const QueuedFrame& frame);
+    /// How many frames were queued so far, and where the last of them goes to.
+    uint64_t submissions() const { return submissions_; }
+    const PixelTarget& latestTarget() const { return last_; }
 
     /// How many frames may be incomplete; 2 at the start.
     void setDepth(unsigned depth) { renderer_.setDepth(depth); }
@@ -75,6 +78,8 @@ private:
     std::shared_ptr<const Frame> viewed_;
     SceneStatistics sceneStatistics_;
     RenderStatistics frameStatistics_;
+    bool isLastDone_ = false;
+    uint64_t submissions_ = 0;
 };
 
 } // namespace smart::compat
