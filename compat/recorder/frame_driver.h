@@ -12,6 +12,12 @@
 
 namespace smart::compat {
 
+/// Who gets what is read from a picture.
+enum class PictureUse {
+    Application,
+    Scene, ///< what later frames show: all processes that render have to see the picture
+};
+
 /// Starts the frames of one context and waits for them. Belongs to the context's thread.
 class FrameDriver {
 public:
@@ -27,7 +33,7 @@ public:
     void finish();
     /// What finish() leaves, to be read until the next frame is started. Without a frame buffer of
     /// the application's the library's own serves. `depth`: with window depth.
-    Picture finishedPicture(bool depth);
+    Picture finishedPicture(bool depth, PictureUse use);
     /// Like start(), any number of times; the frame's id. Waits while the queue is full.
     uint32_t queue();
     /// Queues what the frame before shows, seen by the camera in use now; the frame's id.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libsmart/render/frame_queue.h"
+#include "libsmart/render/render_peers.h"
 #include "libsmart/render/tracers.h"
 #include "libsmart/render/worker.h"
 
@@ -25,18 +26,28 @@ public:
     ~Implementation() { stop(); }
 
     void start() {
-        if (!team) team.emplace(threads, queue, tracer);
+        if (team) return;
+        RenderPeers* const peers = number != 0 ? renderPeers() : nullptr;
+        if (peers) participation = peers->join(queue, number);
+        if (participation)
+            team.emplace(participation->threads(threads), participation->source(), tracer);
+        else
+            team.emplace(threads, queue, tracer);
     }
     void stop() {
         queue.waitAll();
         queue.close();
+        if (participation) participation->close();
         team.reset();
+        participation.reset();
         queue.open();
     }
 
+    const uint64_t number = nextRendererNumber();
     unsigned threads;
     FrameTracer tracer;
     FrameQueue queue{kQueueDepth};
+    std::unique_ptr<Participation> participation; ///< nullptr: this process renders alone
     std::optional<ThreadTeam> team;
 };
 
@@ -46,11 +57,19 @@ Renderer::~Renderer() = default;
 QueuedFramePtr Renderer::prepare(std::shared_ptr<const Frame> frame,
                                  std::shared_ptr<FrameListener> listener) {
     implementation_->start();
+    if (implementation_->participation)
+        listener = implementation_->participation->listener(std::move(listener));
     return implementation_->queue.prepare(std::move(frame), std::move(listener));
 }
 
 void Renderer::submit(QueuedFramePtr frame) noexcept {
+    if (implementation_->participation) implementation_->participation->submitting(frame);
     implementation_->queue.submit(std::move(frame));
+}
+
+void Renderer::sharePicture(const PixelTarget& picture) {
+    implementation_->start();
+    if (implementation_->participation) implementation_->participation->sharePicture(picture);
 }
 
 void Renderer::waitAll() {

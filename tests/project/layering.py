@@ -3,7 +3,7 @@
 """Who may include whom.
 
 A layer includes itself and the layers before it:
-include/openrt < base < accel < kernel < geometry < scene < shading < render < recorder < openrt
+include/openrt < base < accel < kernel < geometry < scene < shading < render < remote < recorder < openrt
 < rtu < rtut. Besides: the headers of the C API are for these three and applications only; what
 the kernels see has neither GLM nor containers; samples see the public headers only; every quoted include is
 written from the root, but for programs that build alone.
@@ -16,7 +16,7 @@ from sources import source_files
 
 LAYERS = ["include/openrt", "libsmart/base", "libsmart/accel", "libsmart/kernel",
           "libsmart/geometry", "libsmart/scene", "libsmart/shading", "libsmart/render",
-          "compat/recorder", "compat/openrt", "compat/rtu", "compat/rtut"]
+          "libsmart/remote", "compat/recorder", "compat/openrt", "compat/rtu", "compat/rtut"]
 # Those of them that are made of calls of the C API.
 ABOVE_THE_API = ("compat/openrt", "compat/rtu", "compat/rtut", "include/openrt")
 # What records and starts frames (not its types and tokens); the core has never heard of it.
