@@ -50,6 +50,8 @@ void FrameCallback::ended(QueuedFrame& frame, FrameStatus status) noexcept {
     call(frame, tokenOf(status), {0, 0, target.width, target.height});
 }
 
+bool isInFrameCallback() noexcept { return frameOfCallback != nullptr; }
+
 bool refusedInCallback(const char* function) noexcept {
     if (!frameOfCallback) return false;
     try {

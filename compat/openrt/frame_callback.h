@@ -23,7 +23,9 @@ private:
     void* user_;
 };
 
-/// Whether a frame's callback runs on this thread; the frame then keeps it as its error that
+/// Whether a frame's callback runs on this thread.
+bool isInFrameCallback() noexcept;
+/// The same; the frame then keeps it as its error that
 /// `function` was called there.
 bool refusedInCallback(const char* function) noexcept;
 /// Whether this is a thread that renders, which can have no context nor wait for its own end, or

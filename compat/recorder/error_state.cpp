@@ -7,8 +7,17 @@
 
 namespace smart::compat {
 
+namespace {
+
+thread_local RaisedErrors raised;
+
+} // namespace
+
+const RaisedErrors& errorsRaised() noexcept { return raised; }
+
 void ErrorState::raise(ErrorCode code, const char* function, const char* text) noexcept {
     logError(code, function, text);
+    raised.recent[raised.count++ % RaisedErrors::kKept] = code;
     if (!first_) {
         first_ = code;
         std::strncpy(text_, text, kTextSize - 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,19 @@ public:
     virtual ~ErrorListener() = default;
     virtual void error(ErrorCode code, const char* function, const char* text) = 0;
 };
+
+/// The errors that were raised on a thread, whatever the context.
+struct RaisedErrors {
+    static constexpr uint64_t kKept = 8;
+    uint64_t count = 0;
+    ErrorCode recent[kKept] = {};
+
+    /// The first after so many, or the oldest kept. Precondition: count is larger.
+    ErrorCode since(uint64_t before) const {
+        return recent[(count - before > kKept ? count : before) % kKept];
+    }
+};
+const RaisedErrors& errorsRaised() noexcept;
 
 /// The first error sticks until it is taken; the listener hears of all. Raising never allocates.
 class ErrorState {

@@ -56,9 +56,15 @@ QueuedFramePtr FrameDriver::submit(const std::shared_ptr<Frame>& frame, uint32_t
     if (id) *id = number;
     sceneStatistics_ = sceneStatistics;
     last_ = target;
+    ++submissions_;
     viewed_ = frame->camera ? frame : nullptr;
     renderer_.submit(queued);
     return queued;
+}
+
+void FrameDriver::waitedFor(const QueuedFrame& frame) {
+    frameStatistics_ = frame.statistics();
+    isLastDone_ = frame.status() == FrameStatus::Done;
 }
 
 void FrameDriver::start() {

@@ -39,7 +39,12 @@ public:
     /// Queues what the frame before shows, seen by the camera in use now; the frame's id.
     uint32_t queueView();
     /// A frame was waited for: from now on the statistics are its own.
-    void waitedFor(const QueuedFrame& frame) { frameStatistics_ = frame.statistics(); }
+    void waitedFor(const QueuedFrame& frame);
+    /// Whether the frame waited for last has all its pixels.
+    bool isLastDone() const { return isLastDone_; }
+    /// How many frames were queued so far, and where the last of them goes to.
+    uint64_t submissions() const { return submissions_; }
+    const PixelTarget& latestTarget() const { return last_; }
 
     /// How many frames may be incomplete; 2 at the start.
     void setDepth(unsigned depth) { renderer_.setDepth(depth); }
@@ -80,6 +85,8 @@ private:
     std::shared_ptr<const Frame> viewed_;
     SceneStatistics sceneStatistics_;
     RenderStatistics frameStatistics_;
+    bool isLastDone_ = false;
+    uint64_t submissions_ = 0;
 };
 
 } // namespace smart::compat

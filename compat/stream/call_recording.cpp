@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "compat/stream/call_recording.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+
+#include "compat/openrt/frame_callback.h"
+#include "compat/openrt/guard.h"
+#include "compat/openrt/tokens.h"
+#include "compat/recorder/context.h"
+#include "compat/recorder/frame_table.h"
+#include "compat/stream/call_capture.h"
+#include "compat/stream/call_sink.h"
+#include "compat/stream/record_format.h"
+#include "compat/stream/trace_file.h"
+#include "libsmart/base/immortal.h"
+#include "libsmart/render/worker.h"
+#include "openrt/version.h"
+
+namespace smart::compat {
+
+namespace {
+
+enum State { kOff, kOn, kUnknown };
+
+/// All that recordings have, under one lock, which makes one order of the calls of all threads.
+struct Recording {
+    std::mutex mutex;
+    CallSink* sink = nullptr;
+    RecordWriter writer;
+    uint16_t threads = 0;
+    // Of frames that were not waited for yet: where they go.
+    std::map<uint32_t, PixelTarget> queued;
+    std::map<ContextId, PixelTarget> started;
+    std::map<const void*, uint32_t> latest; ///< of the queued frames that go to this memory
+};
+
+Recording& recording() {
+    static Immortal<Recording> instance;
+    return instance.get();
+}
+
+thread_local int threadNumber = -1;
+thread_local uint8_t level = 0; ///< of calls that callbacks make during calls
+
+uint16_t numberOfThread(Recording& r) {
+    if (threadNumber < 0) threadNumber = r.threads++;
+    return uint16_t(threadNumber);
+}
+
+void writeStart(RecordWriter& writer) {
+    const std::span<const CallSignature> table = callTable();
+    writer.begin(RecordKind::Start, 0, 0, 0);
+    writer.putBytes(kStreamMagic, sizeof kStreamMagic);
+    writer.put(kByteOrder);
+    writer.put(kStreamVersion);
+    writer.put(uint8_t(sizeof(void*)));
+    writer.putText(OPENRT_VERSION_STRING);
+    writer.put(uint16_t(table.size()));
+    for (const CallSignature& call : table) writer.put(call.fingerprint);
+}
+
+void stop(Recording& r, const char* why) noexcept {
+    std::fprintf(stderr, "OpenRT: the recording of calls ends: %s\n", why);
+    r.sink = nullptr;
+    recordingState = kOff;
+}
+
+/// Runs body with the sink, under the lock. A failure ends the recording and nothing else.
+template <class Body>
+void withSink(Body&& body) noexcept {
+    Recording& r = recording();
+    const std::lock_guard lock(r.mutex);
+    if (!r.sink) return;
+    try {
+        body(r, *r.sink);
+    } catch (const std::exception& error) {
+        stop(r, error.what());
+    } catch (...) {
+        stop(r, "unknown exception");
+    }
+}
+
+void resolveEnvironment() noexcept {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        if (recordingState != kUnknown) return;
+        CallSink* const file = traceFileFromEnvironment();
+        if (file)
+            setCallSink(file);
+        else
+            recordingState = kOff;
+    });
+}
+
+/// Threads of the library, which call what frame callbacks may, do so at no time that a player
+/// could repeat; and what a child of fork calls has no effect.
+bool isRecorded() noexcept {
+    return !onWorkerThread() && !isInFrameCallback() && !whyUnusable();
+}
+
+bool isCall(const CallSignature& call, const char* name) {
+    return std::strcmp(call.name, name) == 0;
+}
+
+RTenum tokenOf(PixelFormat format) {
+    constexpr RTenum kTokens[] = {RT_BGR_32,  RT_RGB_8,    RT_RGBA_8,
+                                  RT_BGRA_8, RT_RGB_32F, RT_RGBA_32F};
+    return kTokens[std::size_t(format)];
+}
+
+uint32_t contextNumber() noexcept { return uint32_t(currentContextId()); }
+
+/// Where the picture lies that the call has waited for, and that nothing else is drawn over.
+std::optional<PixelTarget> endedTarget(Recording& r, Context& context, const CallSignature& call,
+                                       const CallValue* arguments, CallValue result,
+                                       uint64_t submissionsBefore) {
+    const FrameDriver& frames = context.frames();
+    const bool isNew = frames.submissions() != submissionsBefore;
+    if (call.resultMeaning == Meaning::Frame) {
+        const auto id = result.as<RTuint>();
+        if (id == RT_INVALID) return std::nullopt;
+        r.queued[id] = frames.latestTarget();
+        r.latest[frames.latestTarget().memory] = id;
+        return std::nullopt;
+    }
+    if (isCall(call, "rtStartRendering")) {
+        if (isNew) r.started[currentContextId()] = frames.latestTarget();
+        return std::nullopt;
+    }
+    if (isCall(call, "rtWaitFrame")) {
+        const auto id = arguments[0].as<RTuint>();
+        const auto found = r.queued.find(id);
+        if (found == r.queued.end()) return std::nullopt;
+        const PixelTarget target = found->second;
+        r.queued.erase(found);
+        const bool isAlone = r.latest[target.memory] == id;
+        if (isAlone) r.latest.erase(target.memory);
+        if (!isAlone || result.as<RTboolean>() != RT_TRUE) return std::nullopt;
+        return target;
+    }
+    const auto started = r.started.find(currentContextId());
+    const bool endsStarted = started != r.started.end() && !isCall(call, "rtFinish");
+    if (!isNew && !endsStarted) return std::nullopt;
+    const PixelTarget target = endsStarted ? started->second : frames.latestTarget();
+    if (endsStarted) r.started.erase(started);
+    const bool isAlone = isCall(call, "rtFinish") || !r.latest.contains(target.memory);
+    if (!isAlone || !frames.isLastDone()) return std::nullopt;
+    return target;
+}
+
+} // namespace
+
+std::atomic<int> recordingState{kUnknown};
+
+void setCallSink(CallSink* sink) noexcept {
+    Recording& r = recording();
+    {
+        const std::lock_guard lock(r.mutex);
+        r.sink = sink;
+        recordingState = sink ? kOn : kOff;
+    }
+    withSink([](Recording& now, CallSink& to) {
+        writeStart(now.writer);
+        to.record(now.writer.end());
+    });
+}
+
+void abandonCallSink() noexcept { recordingState = kOff; }
+
+RecordedCall::RecordedCall(uint16_t number, const CallValue* arguments) noexcept
+    : call_(callTable()[number]), arguments_(arguments) {
+    resolveEnvironment();
+    if (recordingState != kOn || !isRecorded()) return;
+    isActive_ = true;
+    level_ = level++;
+    errorsBefore_ = errorsRaised().count;
+    withSink([&](Recording& r, CallSink& sink) {
+        Context* const context = currentContext();
+        r.writer.begin(RecordKind::Call, level_, numberOfThread(r), contextNumber());
+        r.writer.put(number);
+        captureArguments(r.writer, call_, arguments, context);
+        sink.record(r.writer.end());
+        if (call_.kind == CallKind::Frame || call_.kind == CallKind::Read) sink.flush();
+    });
+    if (Context* const context = currentContext())
+        submissionsBefore_ = context->frames().submissions();
+}
+
+RecordedCall::~RecordedCall() {
+    if (isActive_) level = level_;
+}
+
+void RecordedCall::end(CallValue result) noexcept {
+    if (!isActive_) return;
+    const bool told = errorsRaised().count != errorsBefore_ ||
+                      call_.resultMeaning != Meaning::Plain || call_.comparesResult ||
+                      isCall(call_, "rtReadPixels") || isCall(call_, "rtGenTextures") ||
+                      isCall(call_, "rtGenBuffers");
+    if (told) recordOutcome(result);
+    if (call_.kind == CallKind::Frame) recordPicture(result);
+}
+
+void RecordedCall::recordOutcome(CallValue result) const {
+    withSink([&](Recording& r, CallSink& sink) {
+        const RaisedErrors& errors = errorsRaised();
+        const bool failed = errors.count != errorsBefore_;
+        r.writer.begin(RecordKind::Outcome, level_, numberOfThread(r), contextNumber());
+        r.writer.put(call_.number);
+        r.writer.put(failed ? errorToken(errors.since(errorsBefore_)) : RTenum(RT_NO_ERROR));
+        r.writer.put(result);
+        const bool makesNames = isCall(call_, "rtGenTextures") || isCall(call_, "rtGenBuffers");
+        const auto n = arguments_[0].as<RTsizei>();
+        const bool hasNames = makesNames && !failed && n > 0 && currentContext();
+        r.writer.put(hasNames ? uint32_t(n) : 0u);
+        if (hasNames) r.writer.putBytes(arguments_[1].as<const RTuint*>(), std::size_t(n) * 4);
+        sink.record(r.writer.end());
+    });
+}
+
+void RecordedCall::recordPicture(CallValue result) const {
+    withSink([&](Recording& r, CallSink& sink) {
+        Context* const context = currentContext();
+        if (!context) return;
+        const std::optional<PixelTarget> target = endedTarget(r, *context, call_, arguments_, result,
+                                                              submissionsBefore_);
+        if (!target) return;
+        const std::size_t rowBytes = std::size_t(target->width) * bytesPerPixel(target->format);
+        const std::size_t stride = target->stride ? target->stride : rowBytes;
+        r.writer.begin(RecordKind::Picture, level_, numberOfThread(r), contextNumber());
+        r.writer.put(keyOfFrameBuffer(target->memory));
+        r.writer.put(target->width);
+        r.writer.put(target->height);
+        r.writer.put(tokenOf(target->format));
+        r.writer.put(uint64_t(stride));
+        r.writer.put(hashOfRows(static_cast<const std::byte*>(target->memory), rowBytes, stride,
+                                target->height));
+        sink.record(r.writer.end());
+    });
+}
+
+} // namespace smart::compat
