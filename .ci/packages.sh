@@ -10,6 +10,7 @@ packages=(
     python3-cffi python3-numpy python3-pytest         # the Python module and its tests
     libembree-dev                                     # the benchmark's yardstick
     libbenchmark-dev valgrind                         # kernels one by one; instructions counted
+    libopenmpi-dev openmpi-bin                        # several machines that render together
     libosmesa6-dev libglu1-mesa-dev                   # OpenGL itself, to compare the ports with
 )
 

@@ -25,8 +25,8 @@ std::chrono::microseconds pause(Clock::duration idle) {
     return idle < 5ms ? 20us : idle < 1s ? 200us : 1000us;
 }
 
-/// Open MPI opens its own parts as plug-ins, which look for its symbols among the global ones. Where
-/// this library was opened with dlopen they are not there yet.
+/// Open MPI opens its own parts as plug-ins, which look for its symbols among the global ones.
+/// Where this library was opened with dlopen they are not there yet.
 void makeMpiGlobal() {
     Dl_info info;
     if (dladdr(reinterpret_cast<void*>(&MPI_Init_thread), &info) != 0 && info.dli_fname)

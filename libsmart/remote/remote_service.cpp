@@ -200,7 +200,8 @@ void RemoteService::end() noexcept {
         frames.swap(frames_);
         news_.notify_all();
     }
-    for (const auto& [key, known] : frames) known.server->queue().endElsewhere(*known.queued, false);
+    for (const auto& [key, known] : frames)
+        known.server->queue().endElsewhere(*known.queued, false);
 }
 
 } // namespace smart

@@ -5,6 +5,7 @@
 #include <exception>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 
 #include "libsmart/base/error.h"
 #include "libsmart/remote/call_bytes.h"
@@ -24,6 +25,11 @@ constexpr unsigned kMaxThreads = 1024;
 /// Frames that a peer may be ready for before they exist here.
 constexpr std::size_t kMaxEarly = 1024;
 constexpr const char* kOtherFrame = "its frame is not the one of this process";
+
+/// A peer that is in order but can not take part: people have to change something.
+struct Unsuitable : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 [[noreturn]] void refuse(const std::string& reason) {
     throw Error(ErrorCode::InvalidOperation, reason);
@@ -164,6 +170,9 @@ void RemoteWorkers::shareFrame(uint64_t renderer, const QueuedFramePtr& frame, F
     std::vector<unsigned> mistaken;
     {
         const std::lock_guard lock(mutex_);
+        if (!error_.empty())
+            frame->keepError(std::make_exception_ptr(
+                Error(ErrorCode::InvalidOperation, std::exchange(error_, {}))));
         shared.ready.resize(peers_.size());
         const FrameKey key{renderer, ++lastFrame_[renderer]};
         SharedFrame& kept = frames_.insert_or_assign(key, std::move(shared)).first->second;
@@ -175,7 +184,7 @@ void RemoteWorkers::shareFrame(uint64_t renderer, const QueuedFramePtr& frame, F
                 mistaken.push_back(e.peer);
         }
     }
-    for (const unsigned peer : mistaken) drop(peer, kOtherFrame);
+    for (const unsigned peer : mistaken) drop(peer, kOtherFrame, true);
 }
 
 void RemoteWorkers::markReady(SharedFrame& frame, unsigned peer) {
@@ -278,6 +287,8 @@ void RemoteWorkers::receive() {
                 case Transport::Event::Closed: drop(peer, "it has ended"); break;
                 case Transport::Event::Nothing: break;
             }
+        } catch (const Unsuitable& problem) {
+            drop(peer, problem.what(), true);
         } catch (const std::exception& problem) {
             drop(peer, problem.what());
         }
@@ -304,8 +315,10 @@ void RemoteWorkers::handle(unsigned peer, std::span<const std::byte> bytes) {
 
 void RemoteWorkers::take(unsigned peer, const Hello& hello) {
     if (hello.identity != options_.identity)
-        refuse("its library is another one: " + hello.identity + ", not " + options_.identity);
-    if (hello.threads == 0 || hello.threads > kMaxThreads) refuse("it has no such number of threads");
+        throw Unsuitable("its library is another one: " + hello.identity + ", not " +
+                         options_.identity);
+    if (hello.threads == 0 || hello.threads > kMaxThreads)
+        refuse("it has no such number of threads");
     const std::lock_guard lock(mutex_);
     Peer& p = peers_[peer];
     if (p.greeted) refuse("it said twice what it is");
@@ -319,7 +332,7 @@ void RemoteWorkers::take(unsigned peer, const FrameReady& ready) {
     const std::lock_guard lock(mutex_);
     const auto found = frames_.find(ready.frame);
     if (found != frames_.end()) {
-        if (found->second.fingerprint != ready.fingerprint) refuse(kOtherFrame);
+        if (found->second.fingerprint != ready.fingerprint) throw Unsuitable(kOtherFrame);
         markReady(found->second, peer);
         room_.notify_all();
         return;
@@ -368,7 +381,7 @@ void RemoteWorkers::take(unsigned peer, const Progress& progress) {
 }
 
 void RemoteWorkers::take(unsigned, const Trouble& trouble) {
-    refuse(trouble.text);
+    throw Unsuitable(trouble.text);
 }
 
 template <class Other>
@@ -386,7 +399,8 @@ void RemoteWorkers::giveBackStalled() {
     {
         const std::lock_guard lock(mutex_);
         for (const auto& [number, ticket] : tickets_)
-            if (!ticket.job.returned && ticket.sent < limit) stalled.push_back({ticket.link, number});
+            if (!ticket.job.returned && ticket.sent < limit)
+                stalled.push_back({ticket.link, number});
     }
     for (const Stalled& s : stalled) {
         const std::lock_guard linkLock(s.link->mutex);
@@ -398,7 +412,7 @@ void RemoteWorkers::giveBackStalled() {
     }
 }
 
-void RemoteWorkers::drop(unsigned peer, const std::string& reason) noexcept {
+void RemoteWorkers::drop(unsigned peer, const std::string& reason, bool isError) noexcept {
     try {
         std::vector<Ticket> lost;
         bool news = false;
@@ -428,9 +442,14 @@ void RemoteWorkers::drop(unsigned peer, const std::string& reason) noexcept {
         }
         for (Ticket& ticket : lost) {
             const std::lock_guard lock(ticket.link->mutex);
-            if (ticket.link->queue && !ticket.job.returned) ticket.link->queue->returned(ticket.job);
+            if (ticket.link->queue && !ticket.job.returned)
+                ticket.link->queue->returned(ticket.job);
         }
-        if (news && !stopped_) warn_(transport_.peerName(peer) + " renders no more: " + reason);
+        if (!news || stopped_) return;
+        const std::string text = transport_.peerName(peer) + " renders no more: " + reason;
+        warn_(text);
+        const std::lock_guard lock(mutex_);
+        if (isError && error_.empty()) error_ = text;
     } catch (...) { // out of memory: its tiles are given back when they are found stalled
     }
 }

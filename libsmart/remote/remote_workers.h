@@ -50,7 +50,8 @@ struct QueueLink {
 /// not, frames are completed: its tiles go to others.
 class RemoteWorkers final : public RenderPeers {
 public:
-    /// Is told what people should know; from any thread.
+    /// Is told why a peer takes part no more; from any thread. Where something has to be changed
+    /// (another library, a plug-in that it lacks), that is an error of the next frame too.
     using Warn = std::function<void(const std::string&)>;
 
     /// The transport has to outlive it.
@@ -120,7 +121,7 @@ private:
     [[noreturn]] void take(unsigned peer, const Trouble& trouble);
     template <class Other>
     [[noreturn]] void take(unsigned peer, const Other&);
-    void drop(unsigned peer, const std::string& reason) noexcept;
+    void drop(unsigned peer, const std::string& reason, bool isError = false) noexcept;
     void giveBackStalled();
     void markReady(SharedFrame& frame, unsigned peer);
     void sendToAll(const Message& message);
@@ -140,6 +141,7 @@ private:
     std::map<FrameKey, std::vector<EarlyPeer>> early_; ///< of frames that are still to come
     std::map<uint64_t, uint64_t> lastFrame_, lastPicture_; ///< numbers by renderer
     RemoteTraffic traffic_;
+    std::string error_; ///< to be told with the next frame; empty: none
 
     std::mutex callMutex_; // guards what follows; taken before mutex_
     std::vector<std::byte> calls_;

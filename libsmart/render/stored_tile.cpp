@@ -55,8 +55,8 @@ void storeTile(const PixelTarget& target, const Tile& tile, const TilePixels& pi
     const std::size_t count = std::size_t(tile.width) * tile.height;
     forEachAux([&](auto member, unsigned size) {
         if (!(target.aux.*member)) return;
-        stored.aux.*member = reinterpret_cast<std::remove_reference_t<decltype(stored.aux.*member)>>(
-            bytes);
+        using Values = std::remove_reference_t<decltype(stored.aux.*member)>;
+        stored.aux.*member = reinterpret_cast<Values>(bytes);
         bytes += size * count;
     });
     if (target.memory) stored.memory = bytes;

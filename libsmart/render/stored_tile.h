@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tile's pixels in the formats of the picture that it belongs to, as they travel between machines.
+// A tile's pixels in the formats of the picture that it belongs to, as they travel between
+// machines.
 #pragma once
 
 #include <cstddef>

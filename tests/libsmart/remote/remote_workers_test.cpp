@@ -66,7 +66,8 @@ public:
     explicit Company(std::vector<WorkerProcess> workers, RemoteOptions options = quick(),
                      unsigned threads = 1, FakeTracer::Before before = {},
                      std::chrono::microseconds latency = 0us)
-        : processes(std::move(workers)), sockets_(socketsOf(processes)), delayed_(sockets_, latency) {
+        : processes(std::move(workers)), sockets_(socketsOf(processes)),
+          delayed_(sockets_, latency) {
         Transport& transport = latency > 0us ? static_cast<Transport&>(delayed_) : sockets_;
         remote = std::make_unique<RemoteWorkers>(transport, std::move(options),
                                                  [this](const std::string& text) {

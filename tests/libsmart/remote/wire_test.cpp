@@ -83,7 +83,7 @@ TEST(Wire, OtherVersionsAreNamed) {
     EXPECT_EQ(std::string(parseMessage(bytes).problem), "of another version of this library");
 }
 
-// What a program of bad will could send, whose checksums are right: wrong lengths and values inside.
+// What a program of bad will could send: checksums are right, and wrong values inside.
 TEST(Wire, PayloadsAreCheckedBehindTheChecksum) {
     const auto problem = [](const Message& message) {
         const char* const text = parseMessage(*encode(message)).problem;
@@ -116,7 +116,7 @@ TEST(Wire, AnythingIsTakenWithoutHarm) {
             switch (random() % 5) {
                 case 0: mutant[at] = std::byte(random()); break;
                 case 1: mutant.resize(at); break;
-                case 2: mutant.insert(mutant.begin() + std::ptrdiff_t(at), std::byte(random())); break;
+                case 2: mutant.insert(mutant.begin() + std::ptrdiff_t(at), std::byte(at)); break;
                 case 3: mutant[at] ^= std::byte(1u << random() % 8); break;
                 case 4: mutant.erase(mutant.begin() + std::ptrdiff_t(at)); break;
             }
