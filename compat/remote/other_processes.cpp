@@ -63,12 +63,26 @@ Job& job() {
     return instance.get();
 }
 
+/// What the ranks did, where the environment asks for it.
+void report(const Job& j) {
+    if (!secure_getenv("OPENRT_MPI_REPORT")) return;
+    const RemoteTraffic t = j.workers->traffic();
+    std::fprintf(stderr,
+                 "openrt: this process had %llu of its tiles by %u other ranks; sent %llu bytes of "
+                 "calls, received %llu bytes of pixels; %llu tiles were given to others\n",
+                 static_cast<unsigned long long>(t.tilesAnswered), j.workers->working(),
+                 static_cast<unsigned long long>(t.callBytes),
+                 static_cast<unsigned long long>(t.answerBytes),
+                 static_cast<unsigned long long>(t.tilesReturned));
+}
+
 /// At the end of the process, after its contexts.
 void leave() {
     Job& j = job();
     if (j.process != getpid()) return;
     setCallSink(nullptr);
     setRenderPeers(nullptr);
+    report(j);
     j.workers->leave();
     if (!j.ranks->finish(kEnd)) warn("some ranks do not end");
     if (!onWorkerThread()) j.workers.reset(); // else frames may still be under way

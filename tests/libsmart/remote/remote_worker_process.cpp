@@ -76,9 +76,10 @@ int main(int argc, char** argv) {
     RemoteService service(transport, mode == "other" ? "another" : "test", 2);
     std::list<TestFrame> frames;
     {
-        SharedRenderer renderer(service, 1, 2, [&](const Frame&, const Tile&) {
+        const FakeTracer tracer([&](const Frame&, const Tile&) {
             if (mode == "slow") std::this_thread::sleep_for(std::chrono::microseconds(number));
         });
+        SharedRenderer renderer(service, 1, 2, tracer);
         std::vector<std::byte> record;
         while (service.nextCall(record)) {
             FrameCall call;

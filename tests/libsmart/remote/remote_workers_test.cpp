@@ -67,14 +67,14 @@ public:
                      unsigned threads = 1, FakeTracer::Before before = {},
                      std::chrono::microseconds latency = 0us)
         : processes(std::move(workers)), sockets_(socketsOf(processes)),
-          delayed_(sockets_, latency) {
+          delayed_(sockets_, latency), tracer_(std::move(before)) {
         Transport& transport = latency > 0us ? static_cast<Transport&>(delayed_) : sockets_;
         remote = std::make_unique<RemoteWorkers>(transport, std::move(options),
                                                  [this](const std::string& text) {
                                                      const std::lock_guard lock(mutex_);
                                                      warnings_.push_back(text);
                                                  });
-        renderer = std::make_unique<SharedRenderer>(*remote, 1, threads, std::move(before));
+        renderer = std::make_unique<SharedRenderer>(*remote, 1, threads, tracer_);
     }
     static RemoteOptions quick() {
         RemoteOptions options;
@@ -106,6 +106,7 @@ private:
     std::vector<std::string> warnings_;
     SocketTransport sockets_;
     DelayedTransport delayed_;
+    FakeTracer tracer_;
 
 public:
     std::unique_ptr<RemoteWorkers> remote;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A renderer of frames of known colours that takes part with other processes.
+// A renderer that takes part with other processes, without the interface above it.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,9 @@ namespace smart::test {
 
 class SharedRenderer {
 public:
-    SharedRenderer(RenderPeers& peers, uint64_t number, unsigned threads,
-                   FakeTracer::Before before = {})
-        : tracer_(std::move(before)), participation_(peers.join(queue_, number)) {
-        team_.emplace(participation_->threads(threads), participation_->source(), tracer_);
+    SharedRenderer(RenderPeers& peers, uint64_t number, unsigned threads, const Tracer& tracer)
+        : participation_(peers.join(queue_, number)) {
+        team_.emplace(participation_->threads(threads), participation_->source(), tracer);
     }
     ~SharedRenderer() {
         queue_.waitAll();
@@ -24,17 +23,16 @@ public:
         participation_->close();
         team_.reset();
     }
-    QueuedFramePtr submit(const TestFrame& frame) {
-        QueuedFramePtr queued = queue_.prepare(frame.frame, participation_->listener(nullptr));
+    QueuedFramePtr submit(const std::shared_ptr<const Frame>& frame) {
+        QueuedFramePtr queued = queue_.prepare(frame, participation_->listener(nullptr));
         participation_->submitting(queued);
         queue_.submit(queued);
         return queued;
     }
+    QueuedFramePtr submit(const TestFrame& frame) { return submit(frame.frame); }
     Participation& participation() { return *participation_; }
-    RenderStatistics statistics() const { return queue_.statistics(); }
 
 private:
-    FakeTracer tracer_;
     FrameQueue queue_{2};
     std::unique_ptr<Participation> participation_;
     std::optional<ThreadTeam> team_;
