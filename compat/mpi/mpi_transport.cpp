@@ -224,7 +224,7 @@ bool MpiTransport::takeMessage() {
     int count = 0;
     MPI_Get_count(&status, MPI_BYTE, &count);
     const bool fits = count >= 0 && std::size_t(count) <= kMaxMessage;
-    Arrival arrival{Event::Message, rank_ == 0 ? unsigned(status.MPI_SOURCE) - 1 : 0,
+    Arrival arrival{Event::Arrived, rank_ == 0 ? unsigned(status.MPI_SOURCE) - 1 : 0,
                     std::vector<std::byte>(fits ? std::size_t(count) : 1)};
     // What does not fit is cut, and known as no message by its length.
     const int result = MPI_Mrecv(arrival.message.data(), int(arrival.message.size()), MPI_BYTE,

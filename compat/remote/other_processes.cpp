@@ -18,6 +18,7 @@
 #include "compat/remote/library_identity.h"
 #include "compat/remote/mpi_job.h"
 #include "compat/stream/call_player.h"
+#include "compat/stream/call_recording.h"
 #include "compat/stream/call_sink.h"
 #include "libsmart/base/immortal.h"
 #include "libsmart/remote/remote_service.h"
@@ -102,6 +103,7 @@ void lead(Job& j) {
 
 void join() {
     if (!isMpiAskedFor()) return;
+    if (isRecording()) return warn("this process renders alone: its calls are being recorded");
     std::string problem;
     Job& j = job();
     j.ranks = openMpi(problem);

@@ -64,7 +64,7 @@ void addLayer(Mixer& mixer, const Frame& layer) {
     mixer.add(special);
     for (const Instance& instance : layer.scene->group().instances()) {
         mixer.add(instance.toParent), mixer.add(instance.objectId);
-        mixer.add(instance.model ? instance.model->triangleCount() : 0);
+        mixer.add(instance.model ? instance.model->triangles.size() : 0);
     }
 }
 

@@ -283,7 +283,7 @@ void RemoteWorkers::receive() {
     while (!stopped_) {
         try {
             switch (transport_.receive(kTick, peer, message)) {
-                case Transport::Event::Message: handle(peer, message); break;
+                case Transport::Event::Arrived: handle(peer, message); break;
                 case Transport::Event::Closed: drop(peer, "it has ended"); break;
                 case Transport::Event::Nothing: break;
             }

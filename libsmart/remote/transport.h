@@ -14,7 +14,7 @@ namespace smart {
 /// peer arrive whole and in order, or not at all. What they hold may be anything.
 class Transport {
 public:
-    enum class Event { Nothing, Message, Closed };
+    enum class Event { Nothing, Arrived, Closed };
 
     virtual ~Transport() = default;
     virtual unsigned peers() const = 0;

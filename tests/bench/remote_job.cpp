@@ -100,7 +100,7 @@ double socketLatency(std::size_t bytes, unsigned repeat) {
         for (;;) {
             const Transport::Event event = transport.receive(100ms, peer, message);
             if (event == Transport::Event::Closed) return;
-            if (event == Transport::Event::Message) transport.send(0, packet);
+            if (event == Transport::Event::Arrived) transport.send(0, packet);
             if (message.size() == kHeaderSize) return; // Leave
         }
     });

@@ -125,7 +125,7 @@ Transport::Event SocketTransport::receive(std::chrono::microseconds timeout, uns
         for (std::size_t i = 0; i < peers_.size(); ++i) {
             next_ = (next_ + 1) % peers_.size();
             peer = unsigned(next_);
-            if (take(peers_[next_], message)) return Event::Message;
+            if (take(peers_[next_], message)) return Event::Arrived;
             const std::lock_guard lock(mutex_);
             if (peers_[next_].closed && !std::exchange(peers_[next_].told, true))
                 return Event::Closed;

@@ -239,7 +239,7 @@ TEST(StoredTile, IsPlacedAsIfItWereWritten) {
             if (wanted[1]) to[k].aux.normal = normal[k].data();
             if (wanted[2]) to[k].aux.objectId = id[k].data();
         }
-        const Tile tile{random() % target.width, random() % target.height, 1, 1};
+        const Tile tile{uint32_t(random()) % target.width, uint32_t(random()) % target.height, 1, 1};
         Tile large = tile;
         large.width = std::min(32u, target.width - tile.x);
         large.height = std::min(32u, target.height - tile.y);
