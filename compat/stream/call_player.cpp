@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <utility>
@@ -53,6 +54,16 @@ void RTAPIENTRY ignoreVertexOf(void*, void*) {}
 void RTAPIENTRY combine(RTdouble*, void**, RTfloat*, void** out) { *out = nullptr; }
 void RTAPIENTRY combineOf(RTdouble*, void**, RTfloat*, void** out, void*) { *out = nullptr; }
 
+/// The players that errors may be told to: contexts may live longer.
+struct Listeners {
+    std::mutex mutex;
+    std::set<void*> players;
+};
+Listeners& listeners() {
+    static Listeners instance;
+    return instance;
+}
+
 /// A function that does nothing for what the recorded program's function heard of: the calls that
 /// that made are recorded.
 RTUfuncptr functionFor(RTenum which) {
@@ -79,7 +90,16 @@ class CallPlayer::Implementation {
 public:
     Implementation(PlayPolicy* policy, const PlayLimits& limits)
         : policy_(policy ? *policy : everything_), limits_(limits), budget_(limits.memory),
-          buffers_(budget_), threads_(limits.threads) {}
+          buffers_(budget_), threads_(limits.threads) {
+        const std::lock_guard lock(listeners().mutex);
+        listeners().players.insert(this);
+    }
+    ~Implementation() {
+        const std::lock_guard lock(listeners().mutex);
+        listeners().players.erase(this);
+    }
+    Implementation(const Implementation&) = delete;
+    Implementation& operator=(const Implementation&) = delete;
 
     void play(std::span<const std::byte> records) {
         if (hasFailed_) throw StreamError("nothing can be played after an error");
@@ -141,6 +161,8 @@ private:
         rtErrorCallback(&Implementation::hear, this);
     }
     static void RTAPIENTRY hear(RTenum code, const char*, const char*, void* user) {
+        const std::lock_guard lock(listeners().mutex);
+        if (!listeners().players.contains(user)) return;
         auto& player = *static_cast<Implementation*>(user);
         if (player.isMade_ && player.error_ == RT_NO_ERROR) player.error_ = code;
     }

@@ -14,6 +14,7 @@ Written into the folder OUTPUT:
                           the exported names belong to
   call_entries.cpp        the functions that programs call, which record where there is a sink
   call_table.cpp          the table of call_table.h, and a call of each function
+  token_names.cpp         names of tokens
 """
 import csv
 import fnmatch
@@ -285,6 +286,45 @@ def entries(functions):
     return "".join(out) + '} // extern "C"\n'
 
 
+def token_names(include):
+    """The first name of each value that is large enough to be of one thing only."""
+    names = {}
+    for header in ("enums.h", "rt_gl_enums_1_1.h", "rt_gl_enums_1_5.h", "rtu_enums.h"):
+        text = (include / header).read_text(encoding="utf-8")
+        for name, value in re.findall(r"^#define (RTU?_\w+) (0x[0-9A-Fa-f]+|\d+)u?$", text, re.M):
+            if 0x100 <= int(value, 0) < 0xFFFFFFFF:
+                names.setdefault(int(value, 0), name)
+    rows = "\n".join(f'    {{0x{value:x}, "{name}"}},' for value, name in sorted(names.items()))
+    return f"""{NOTE}#include "compat/trace/token_names.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace smart::compat {{
+
+namespace {{
+
+struct TokenName {{
+    uint32_t value;
+    const char* name;
+}};
+constexpr TokenName kNames[] = {{
+{rows}
+}};
+
+}} // namespace
+
+const char* tokenName(uint32_t value) {{
+    const TokenName* const found =
+        std::lower_bound(std::begin(kNames), std::end(kNames), value,
+                         [](const TokenName& t, uint32_t v) {{ return t.value < v; }});
+    return found != std::end(kNames) && found->value == value ? found->name : nullptr;
+}}
+
+}} // namespace smart::compat
+"""
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
@@ -292,7 +332,8 @@ def main():
     functions, rules = read_functions(include), Rules(parameters)
     files = {"call_table.cpp": table(functions, rules),
              "implementation_names.h": names_header(functions),
-             "call_entries.cpp": entries(functions)}
+             "call_entries.cpp": entries(functions),
+             "token_names.cpp": token_names(include)}
     if rules.unused():
         sys.exit(f"{parameters}: no function has {rules.unused()}")
     output.mkdir(parents=True, exist_ok=True)

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// openrt-trace: records what a program calls, plays it, shows it, writes it as C.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "compat/stream/call_player.h"
+#include "compat/trace/c_source.h"
+#include "compat/trace/call_listing.h"
+#include "compat/trace/picture_file.h"
+#include "compat/trace/trace_input.h"
+#include "openrt/rt.h"
+
+namespace {
+
+using namespace smart::compat;
+
+constexpr int kDifferent = 1, kWrongCommandLine = 2, kFailure = 3;
+
+/// Runs the program with its calls recorded; its exit status.
+int record(const std::string& file, const std::vector<std::string>& program) {
+    const std::string absolute = std::filesystem::absolute(file).string();
+    if (unlink(absolute.c_str()) != 0 && errno != ENOENT)
+        throw StreamError(file + ": " + std::strerror(errno));
+    const pid_t child = fork();
+    if (child < 0) throw StreamError(std::string("fork: ") + std::strerror(errno));
+    if (child == 0) {
+        setenv("OPENRT_TRACE", absolute.c_str(), 1);
+        std::vector<char*> arguments;
+        for (const std::string& word : program) arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        execvp(arguments[0], arguments.data());
+        std::cerr << "openrt-trace: " << program[0] << ": " << std::strerror(errno) << '\n';
+        _exit(127);
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (!std::filesystem::exists(absolute))
+        std::cerr << "openrt-trace: the program called nothing of OpenRT: there is no " << file
+                  << '\n';
+    if (WIFSIGNALED(status)) {
+        std::cerr << "openrt-trace: the program was ended by signal " << WTERMSIG(status) << '\n';
+        return 128 + WTERMSIG(status);
+    }
+    return WEXITSTATUS(status);
+}
+
+class Replay final : public PlayPolicy {
+public:
+    Replay(std::string output, std::string shaders)
+        : output_(std::move(output)), shaders_(std::move(shaders)) {
+        if (!output_.empty()) nameOfPicture(output_, 1);
+    }
+
+    const RTshaderclass* shaderClass(const std::string& name) override {
+        if (shaders_.empty()) return nullptr;
+        const RTuint id = rtGenNewShaderClass(name.c_str(), shaders_.c_str());
+        return id == RT_INVALID ? nullptr : rtGetShaderClassDescriptor(id);
+    }
+    void frame(const PlayedFrame& frame) override {
+        if (!frame.isEqual)
+            std::cout << "frame " << frame.number << " is not as recorded\n";
+        if (!output_.empty()) writePicture(nameOfPicture(output_, frame.number), frame);
+    }
+    void diverged(const Divergence& divergence) override {
+        if (++divergences_ > kMostTold) return;
+        std::cout << "call " << divergence.call << ", " << divergence.function << ": "
+                  << divergence.text << '\n';
+    }
+
+private:
+    static constexpr uint64_t kMostTold = 20;
+    std::string output_, shaders_;
+    uint64_t divergences_ = 0;
+};
+
+/// The records of the calls up to this one.
+std::span<const std::byte> firstCalls(const TraceInput& input, uint64_t until) {
+    std::span<const std::byte> rest = input.records();
+    uint64_t calls = 0;
+    while (!rest.empty()) {
+        std::span<const std::byte> next = rest;
+        RecordHead head;
+        takeRecord(next, head);
+        if (head.kind == RecordKind::Call && ++calls > until) break;
+        rest = next;
+    }
+    return input.records().first(input.records().size() - rest.size());
+}
+
+int replay(const TraceInput& input, Replay& policy, uint64_t until) {
+    CallPlayer player(&policy);
+    player.play(until ? firstCalls(input, until) : input.records());
+    player.finish();
+    std::cout << player.calls() << " calls, " << player.frames() << " frames: ";
+    if (player.unequalFrames() == 0 && player.divergences() == 0) {
+        std::cout << "as recorded\n";
+        return 0;
+    }
+    std::cout << player.unequalFrames() << " frames and " << player.divergences()
+              << " calls are not as recorded\n";
+    return kDifferent;
+}
+
+int run(int argc, char* argv[]) {
+    CLI::App app("Records what a program calls of OpenRT in a file, plays it again and compares "
+                 "each frame bit by bit, shows it, or writes it as a C program. The exit status "
+                 "is 1 if something is not as recorded, 2 for a wrong command line, 3 if a file "
+                 "can not be used.",
+                 "openrt-trace");
+    app.set_version_flag("--version", "openrt-trace " OPENRT_VERSION_STRING);
+    app.require_subcommand(1);
+
+    std::string file = "openrt-trace.ort", output, shaders;
+    std::vector<std::string> program;
+    uint64_t until = 0;
+    CLI::App* const recording = app.add_subcommand("record", "runs a program and records its calls; "
+                                                             "the exit status is the program's");
+    recording->add_option("-o,--output", file, "where to")->type_name("FILE")->capture_default_str();
+    recording->add_option("PROGRAM", program, "the program and its arguments")->required();
+    recording->positionals_at_end();
+    recording->prefix_command(false);
+    CLI::App* const playing = app.add_subcommand("replay", "makes the calls again and compares each "
+                                                           "frame with the recorded one");
+    playing->add_option("FILE", file, "a recording")->required();
+    playing->add_option("--output", output, "writes each frame, with its number for %d")
+        ->type_name("frame%03d.png");
+    playing->add_option("--until", until, "makes the first N calls only")->type_name("N");
+    playing->add_option("--shaders", shaders,
+                        "the shader library with the classes that the program registered itself")
+        ->type_name("FILE");
+    CLI::App* const source = app.add_subcommand("source", "writes a C program that makes the calls");
+    source->add_option("FILE", file, "a recording")->required();
+    CLI::App* const info = app.add_subcommand("info", "tells how many calls, frames, errors and "
+                                                      "bytes there are");
+    info->add_option("FILE", file, "a recording")->required();
+    CLI::App* const dump = app.add_subcommand("dump", "a line for each call: number, thread, "
+                                                      "context, the call; and what came of it");
+    dump->add_option("FILE", file, "a recording")->required();
+    // All that follows PROGRAM is the program's.
+    std::vector<std::string> words(argv + 1, argv + argc), own = words;
+    if (!words.empty() && words[0] == "record") {
+        std::size_t first = 1;
+        while (first < words.size() && words[first].starts_with("-"))
+            first += words[first] == "-o" || words[first] == "--output" ? 2 : 1;
+        if (first < words.size()) {
+            program.assign(words.begin() + std::ptrdiff_t(first), words.end());
+            own.resize(first + 1);
+        }
+    }
+    const std::vector<std::string> whole = program;
+    try {
+        app.parse(std::vector<std::string>(own.rbegin(), own.rend()));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
+        std::cerr << "openrt-trace: " << error.what() << '\n';
+        return kWrongCommandLine;
+    }
+    if (recording->parsed()) return record(file, whole);
+    if (playing->parsed()) {
+        Replay policy(output, shaders);
+        return replay(TraceInput(file), policy, until);
+    }
+    const TraceInput input(file);
+    if (source->parsed()) writeSource(input, std::cout);
+    if (info->parsed()) summarise(input, std::cout);
+    if (dump->parsed()) listCalls(input, std::cout);
+    std::cout.flush();
+    if (!std::cout) throw StreamError("the output can not be written");
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "openrt-trace: " << error.what() << '\n';
+        return kFailure;
+    }
+}
