@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "compat/openrt/init_arguments.h"
+#include "compat/recorder/context.h"
 #include "compat/recorder/error_log.h"
 #include "compat/remote/library_identity.h"
 #include "compat/remote/mpi_job.h"
@@ -44,6 +45,7 @@ public:
     explicit SharingSink(RemoteWorkers& workers) : workers_(workers) {}
     void record(std::span<const std::byte> records) override { workers_.addCall(records); }
     void flush() override { workers_.flushCalls(); }
+    bool wantsPictures() const override { return false; }
 
 private:
     RemoteWorkers& workers_;
@@ -82,6 +84,7 @@ void leave() {
     Job& j = job();
     if (j.process != getpid()) return;
     setCallSink(nullptr);
+    if (!onWorkerThread()) destroyAllContexts(); // where one was made before this was registered
     setRenderPeers(nullptr);
     report(j);
     j.workers->leave();
@@ -94,9 +97,10 @@ void lead(Job& j) {
     options.identity = libraryIdentity();
     j.workers = std::make_unique<RemoteWorkers>(*j.ranks, std::move(options), warn);
     j.sink = std::make_unique<SharingSink>(*j.workers);
+    std::atexit(leave);
+    if (j.ranks->peers() == 0) return;
     setRenderPeers(j.workers.get());
     setCallSink(j.sink.get());
-    std::atexit(leave);
     if (!j.workers->waitForPeers(kStart))
         warn("some ranks have not come to rtInit yet; they render when they have");
 }
@@ -133,8 +137,8 @@ private:
 
 void serve(RemoteService& service) {
     PlayLimits limits;
-    limits.memory = ~uint64_t(0);
-    limits.pixels = ~uint64_t(0);
+    limits.memory = uint64_t(1) << 46; // whatever the application has
+    limits.pixels = uint64_t(1) << 40;
     ServicePolicy policy(service);
     CallPlayer player(&policy, limits);
     try {

@@ -148,8 +148,8 @@ int run(const Options& options) {
     costs.answerBytes = answer + kHeaderSize + 48;
     costs.masterSeconds = servingSeconds(*frame, 20000) + 2e-6;
     costs.latencySeconds = socketLatency(4096, 2000);
-    std::printf("\ntile %.0f us, serving a remote one %.1f us (2 us of that assumed for MPI), answer "
-                "%.0f bytes,\nmessage of 4 KB from thread to thread here %.0f us\n",
+    std::printf("\ntile %.0f us, serving a remote one %.1f us (2 us of that assumed for MPI),\n"
+                "answer %.0f bytes, message of 4 KB from thread to thread here %.0f us\n",
                 costs.tileSeconds * 1e6, costs.masterSeconds * 1e6, costs.answerBytes,
                 costs.latencySeconds * 1e6);
     printTable(costs, mortonTiles(kWidth, kHeight).size(), options.threads);

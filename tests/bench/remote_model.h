@@ -8,7 +8,7 @@ namespace smart::bench {
 
 struct RemoteCosts {
     double tileSeconds = 0;       ///< of one thread, tracing
-    double masterSeconds = 0;     ///< for a tile of another rank, by the one thread that serves them
+    double masterSeconds = 0; ///< for a tile of another rank, by the thread that serves them
     double answerBytes = 0;       ///< of a tile on the wire
     double latencySeconds = 0;    ///< one way
     double lineBytesPerSecond = 0; ///< of rank 0; 0: no limit
