@@ -16,16 +16,17 @@
 #include "compat/openrt/init_arguments.h"
 #include "compat/recorder/context.h"
 #include "compat/recorder/error_log.h"
-#include "compat/remote/library_identity.h"
 #include "compat/remote/mpi_job.h"
 #include "compat/stream/call_player.h"
 #include "compat/stream/call_recording.h"
 #include "compat/stream/call_sink.h"
 #include "libsmart/base/immortal.h"
+#include "libsmart/remote/build_id.h"
 #include "libsmart/remote/remote_service.h"
 #include "libsmart/remote/remote_workers.h"
 #include "libsmart/render/worker.h"
 #include "openrt/rt_core.h"
+#include "openrt/version.h"
 
 namespace smart::compat {
 namespace {
@@ -38,6 +39,11 @@ constexpr auto kEnd = 10s;   ///< and from the last one's
 void warn(const std::string& text) noexcept {
     std::fprintf(stderr, "openrt: %s\n", text.c_str());
     logError(ErrorCode::InvalidOperation, "rtInit", text.c_str());
+}
+
+/// Pictures are equal to the bit where this is.
+std::string libraryIdentity() {
+    return OPENRT_VERSION_STRING " build " + buildId();
 }
 
 class SharingSink final : public CallSink {

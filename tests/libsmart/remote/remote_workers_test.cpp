@@ -237,7 +237,8 @@ void disturb(const std::string& mode, int signal, int moments) {
         Company company(std::move(all), Company::quick(), 1, [](const Frame&, const Tile&) {
             std::this_thread::sleep_for(50us);
         });
-        if (moment % 10 != 0) ASSERT_TRUE(company.remote->waitForPeers(10s));
+        const bool begun = moment % 10 == 0 || company.remote->waitForPeers(10s);
+        ASSERT_TRUE(begun);
         std::list<TestFrame> frames;
         std::jthread disturber([&, delay = random() % 15000] {
             std::this_thread::sleep_for(std::chrono::microseconds(delay));

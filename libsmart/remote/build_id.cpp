@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "compat/remote/library_identity.h"
+#include "libsmart/remote/build_id.h"
 
 #include <elf.h>
 #include <link.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#include "openrt/version.h"
-
-namespace smart::compat {
+namespace smart {
 namespace {
 
 /// What is to be found, and in which of the loaded libraries: the one with this address.
@@ -62,12 +61,11 @@ int look(dl_phdr_info* info, std::size_t, void* data) {
 
 } // namespace
 
-std::string libraryIdentity() {
+std::string buildId() {
     Search search;
-    search.address = reinterpret_cast<uintptr_t>(&libraryIdentity);
+    search.address = reinterpret_cast<uintptr_t>(&buildId);
     dl_iterate_phdr(&look, &search);
-    return search.found.empty() ? OPENRT_VERSION_STRING
-                                : OPENRT_VERSION_STRING " build " + search.found;
+    return search.found;
 }
 
-} // namespace smart::compat
+} // namespace smart
