@@ -173,7 +173,7 @@ void setCallSink(CallSink* sink) noexcept {
 
 void abandonCallSink() noexcept { recordingState = kOff; }
 
-RecordedCall::RecordedCall(uint16_t number, const CallValue* arguments) noexcept
+CallRecording::CallRecording(uint16_t number, const CallValue* arguments) noexcept
     : call_(callTable()[number]), arguments_(arguments) {
     resolveEnvironment();
     if (recordingState != kOn || !isRecorded()) return;
@@ -192,11 +192,11 @@ RecordedCall::RecordedCall(uint16_t number, const CallValue* arguments) noexcept
         submissionsBefore_ = context->frames().submissions();
 }
 
-RecordedCall::~RecordedCall() {
+CallRecording::~CallRecording() {
     if (isActive_) level = level_;
 }
 
-void RecordedCall::end(CallValue result) noexcept {
+void CallRecording::end(CallValue result) noexcept {
     if (!isActive_) return;
     const bool told = errorsRaised().count != errorsBefore_ ||
                       call_.resultMeaning != Meaning::Plain || call_.comparesResult ||
@@ -206,7 +206,7 @@ void RecordedCall::end(CallValue result) noexcept {
     if (call_.kind == CallKind::Frame) recordPicture(result);
 }
 
-void RecordedCall::recordOutcome(CallValue result) const {
+void CallRecording::recordOutcome(CallValue result) const {
     withSink([&](Recording& r, CallSink& sink) {
         const RaisedErrors& errors = errorsRaised();
         const bool failed = errors.count != errorsBefore_;
@@ -223,7 +223,7 @@ void RecordedCall::recordOutcome(CallValue result) const {
     });
 }
 
-void RecordedCall::recordPicture(CallValue result) const {
+void CallRecording::recordPicture(CallValue result) const {
     withSink([&](Recording& r, CallSink& sink) {
         Context* const context = currentContext();
         if (!context || !sink.wantsPictures()) return;

@@ -18,12 +18,12 @@ inline bool isRecording() noexcept {
 }
 
 /// A call that programs make: recorded here, and what came of it by end().
-class RecordedCall {
+class CallRecording {
 public:
-    RecordedCall(uint16_t number, const CallValue* arguments) noexcept;
-    RecordedCall(const RecordedCall&) = delete;
-    RecordedCall& operator=(const RecordedCall&) = delete;
-    ~RecordedCall();
+    CallRecording(uint16_t number, const CallValue* arguments) noexcept;
+    CallRecording(const CallRecording&) = delete;
+    CallRecording& operator=(const CallRecording&) = delete;
+    ~CallRecording();
     void end(CallValue result) noexcept;
 
 private:
@@ -40,7 +40,7 @@ private:
 template <auto function, class... Arguments>
 [[gnu::noinline]] auto recordedCall(uint16_t number, Arguments... arguments) {
     const CallValue values[sizeof...(Arguments) + 1] = {CallValue(arguments)..., CallValue()};
-    RecordedCall call(number, values);
+    CallRecording call(number, values);
     if constexpr (std::is_void_v<decltype(function(arguments...))>) {
         function(arguments...);
         call.end(CallValue());

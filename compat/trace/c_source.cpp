@@ -122,9 +122,11 @@ private:
         ++inPart_;
     }
 
+    std::string nextName() { return std::string("d").append(std::to_string(block_++)); }
+
     /// Declares an array of the block; its name.
     std::string data(ValueKind element, std::span<const std::byte> bytes) {
-        const std::string name = "d" + std::to_string(block_++);
+        const std::string name = nextName();
         if (isExact(element, bytes)) {
             out_ << "        static const " << typeName(element) << ' ' << name << "[] = {"
                  << textOfElements(element, bytes, SIZE_MAX) << "};\n";
@@ -154,7 +156,7 @@ private:
         std::string list;
         for (const RecordedArgument& piece : argument.pieces)
             list += (list.empty() ? "" : ", ") + pointer(parameter, piece, nullptr);
-        const std::string name = "d" + std::to_string(block_++);
+        const std::string name = nextName();
         if (parameter.memory == Memory::Arguments)
             out_ << "        char *" << name << "[] = {" << list << (list.empty() ? "" : ", ")
                  << "NULL};\n        int count = " << argument.pieces.size() << ";\n";
@@ -167,7 +169,9 @@ private:
     std::string pointer(const CallParameter& parameter, const RecordedArgument& argument,
                         const CallRecord* record) {
         const std::string offset =
-            "(const void *)(uintptr_t)" + std::to_string(argument.value.as<uint64_t>()) + "u";
+            std::string("(const void *)(uintptr_t)")
+                .append(std::to_string(argument.value.as<uint64_t>()))
+                .append("u");
         switch (argument.tag) {
         case PointerTag::Null: return "NULL";
         case PointerTag::Unread:
@@ -186,7 +190,8 @@ private:
         case PointerTag::Bytes: {
             if (parameter.memory == Memory::String || parameter.memory == Memory::Arguments) {
                 const std::string text = literalOf(argument.bytes);
-                return parameter.element == ValueKind::UInt8 ? "(const RTubyte *)" + text : text;
+                return std::string(parameter.element == ValueKind::UInt8 ? "(const RTubyte *)" : "")
+                    .append(text);
             }
             if (parameter.meaning >= Meaning::Object) return ids(parameter, argument.bytes);
             return data(parameter.element, argument.bytes);
@@ -198,14 +203,15 @@ private:
     }
 
     std::string ids(const CallParameter& parameter, std::span<const std::byte> bytes) {
-        const std::string name = "d" + std::to_string(block_++);
+        const std::string name = nextName();
         out_ << "        RTuint " << name << "[" << bytes.size() / 4 + 1 << "];\n";
         for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) {
             uint32_t id;
             std::memcpy(&id, bytes.data() + i, sizeof id);
             const std::string variable = names_.variable(parameter.meaning, context_, id);
-            lines_ += "        " + name + "[" + std::to_string(i / 4) + "] = " +
-                      (variable.empty() ? std::to_string(id) + "u" : variable) + ";\n";
+            lines_.append("        ").append(name).append("[").append(std::to_string(i / 4));
+            lines_.append("] = ").append(variable.empty() ? std::to_string(id) : variable);
+            lines_.append(";\n");
         }
         return name;
     }
@@ -215,7 +221,7 @@ private:
         std::vector<CallValue> values;
         for (const RecordedArgument& argument : record.arguments) values.push_back(argument.value);
         const uint64_t bytes = memoryBytes(*record.call, parameter, values.data(), {});
-        const std::string name = "d" + std::to_string(block_++);
+        const std::string name = nextName();
         out_ << "        static double " << name << "[" << bytes / 8 + 64 << "];\n";
         return std::string("(void *)") + name;
     }
@@ -242,8 +248,10 @@ private:
         for (const RecordedArray& array : record.arrays) arrays.push_back(data(kindOf(array), array.bytes));
         if (record.hasMapped) {
             const std::string mapped = data(ValueKind::Void, record.mapped);
-            lines_ += "        write_mapped(" + number(parameters[0], record.arguments[0].value) +
-                      ", " + mapped + ", " + std::to_string(record.mapped.size()) + "u);\n";
+            lines_.append("        write_mapped(")
+                .append(number(parameters[0], record.arguments[0].value))
+                .append(", ").append(mapped).append(", ")
+                .append(std::to_string(record.mapped.size())).append("u);\n");
         }
         if (!arrays.empty()) {
             out_ << "        RTint bound = 0;\n";
@@ -252,10 +260,12 @@ private:
         }
         out_ << lines_;
         for (std::size_t i = 0; i < arrays.size(); ++i)
-            out_ << setArray(record.arrays[i], "(const void *)((uintptr_t)" + arrays[i] + " - " +
-                                                   std::to_string(record.arrays[i].first *
-                                                                  record.arrays[i].step()) +
-                                                   "u)");
+            out_ << setArray(record.arrays[i],
+                             std::string("(const void *)((uintptr_t)").append(arrays[i])
+                                 .append(" - ")
+                                 .append(std::to_string(record.arrays[i].first *
+                                                        record.arrays[i].step()))
+                                 .append("u)"));
         if (!arrays.empty()) out_ << "        rtBindBuffer(RT_ARRAY_BUFFER, (RTuint)bound);\n";
         writeCall(record, text);
     }

@@ -23,12 +23,14 @@ std::string textOfPointer(const CallParameter& parameter, const RecordedArgument
     case PointerTag::Null: return "NULL";
     case PointerTag::Unread: return "pointer";
     case PointerTag::Output: return "result";
-    case PointerTag::Number: return "#" + std::to_string(argument.value.as<uint64_t>());
+    case PointerTag::Number: return std::string("#").append(std::to_string(argument.value.as<uint64_t>()));
     case PointerTag::Bytes:
         if (parameter.element == ValueKind::Int8 || parameter.memory == Memory::String ||
             parameter.memory == Memory::ShaderDescriptor)
             return literalOf(argument.bytes);
-        return "{" + textOfElements(parameter.element, argument.bytes, kShown) + "}";
+        return std::string("{")
+            .append(textOfElements(parameter.element, argument.bytes, kShown))
+            .append("}");
     case PointerTag::Pieces: {
         std::string text = "{";
         for (const RecordedArgument& piece : argument.pieces) {
@@ -52,9 +54,13 @@ std::string callText(const CallRecord& record) {
     }
     text += ")";
     for (const RecordedArray& array : record.arrays)
-        text += std::string(" ") + arrayNames(array.kind)->immediate + "[" +
-                std::to_string(array.elements) + "]";
-    if (record.hasMapped) text += " " + std::to_string(record.mapped.size()) + " bytes written";
+        text.append(" ")
+            .append(arrayNames(array.kind)->immediate)
+            .append("[")
+            .append(std::to_string(array.elements))
+            .append("]");
+    if (record.hasMapped)
+        text.append(" ").append(std::to_string(record.mapped.size())).append(" bytes written");
     return text;
 }
 

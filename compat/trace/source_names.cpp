@@ -21,10 +21,10 @@ std::string nameOf(Meaning meaning, uint32_t context, uint64_t name) {
     case Meaning::ShaderClass: kind = "shader_class"; break;
     case Meaning::ParameterHandle: kind = "parameter"; break;
     case Meaning::Scene: kind = "scene"; break;
-    case Meaning::Frame: return "frame_" + std::to_string(name);
-    case Meaning::QueryScene: return "compiled_scene_" + std::to_string(name);
-    case Meaning::Context: return "context_" + std::to_string(name);
-    case Meaning::Quadric: return "quadric_" + std::to_string(name);
+    case Meaning::Frame: return std::string("frame_").append(std::to_string(name));
+    case Meaning::QueryScene: return std::string("compiled_scene_").append(std::to_string(name));
+    case Meaning::Context: return std::string("context_").append(std::to_string(name));
+    case Meaning::Quadric: return std::string("quadric_").append(std::to_string(name));
     default: return "";
     }
     return std::string(kind) + "_" + std::to_string(context) + "_" + std::to_string(name);
@@ -100,23 +100,29 @@ std::string SourceNames::resultOf(uint64_t call) const {
 }
 
 std::string SourceNames::frameBuffer(uint64_t key) const {
-    return "pixels_" + std::to_string(key);
+    return std::string("pixels_").append(std::to_string(key));
 }
 
 std::string SourceNames::declarations() const {
     std::string text;
-    for (const std::string& name : variables_) text += "static RTuint " + name + ";\n";
-    for (const std::string& name : contexts_) text += "static RTcontext " + name + ";\n";
-    for (const std::string& name : quadrics_) text += "static RTUquadric *" + name + ";\n";
-    for (const auto& [key, bytes] : bytes_) text += "static void *" + frameBuffer(key) + ";\n";
+    const auto declare = [&text](const char* type, const std::string& name) {
+        text.append("static ").append(type).append(name).append(";\n");
+    };
+    for (const std::string& name : variables_) declare("RTuint ", name);
+    for (const std::string& name : contexts_) declare("RTcontext ", name);
+    for (const std::string& name : quadrics_) declare("RTUquadric *", name);
+    for (const auto& [key, bytes] : bytes_) declare("void *", frameBuffer(key));
     return text;
 }
 
 std::string SourceNames::reservations() const {
     std::string text;
     for (const auto& [key, bytes] : bytes_)
-        text += "    " + frameBuffer(key) + " = calloc(1, " +
-                std::to_string(std::max<uint64_t>(bytes, 64)) + "u);\n";
+        text.append("    ")
+            .append(frameBuffer(key))
+            .append(" = calloc(1, ")
+            .append(std::to_string(std::max<uint64_t>(bytes, 64)))
+            .append("u);\n");
     return text;
 }
 

@@ -26,8 +26,8 @@ extern "C" {
  *   --rt-samples N        as rtSamples
  *   --rt-offscreen N  --rt-output PATTERN  --rt-size WxH   for programs with rtut windows
  * A bad value prints one line on stderr and is ignored. The environment variable OPENRT_LOG, a
- * file's name or `stderr`, gets a line for every error that any context records; set-uid programs
- * ignore all of these variables.
+ * file's name or `stderr`, gets a line for every error that any context records; OPENRT_TRACE names
+ * a new file that gets all calls (openrt-trace); set-uid programs ignore all of these variables.
  * Threads: any. Since: 0.1 */
 RTAPI void RTAPIENTRY rtInit(int *argcp, char *argv[]);
 

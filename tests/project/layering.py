@@ -3,9 +3,9 @@
 """Who may include whom.
 
 A layer includes itself and the layers before it:
-include/openrt < base < accel < kernel < geometry < scene < shading < render < remote < recorder < openrt
-< rtu < rtut. Besides: the headers of the C API are for these three and applications only; what
-the kernels see has neither GLM nor containers; samples see the public headers only; every quoted include is
+include/openrt < base < accel < kernel < geometry < scene < shading < render < remote < recorder
+< openrt < rtu < rtut < stream < trace < mpi < compat/remote. Besides: the headers of the C API are
+for the last seven (but mpi) and applications only; what the kernels see has neither GLM nor containers; samples see the public headers only; every quoted include is
 written from the root, but for programs that build alone.
 """
 import pathlib
@@ -16,9 +16,11 @@ from sources import source_files
 
 LAYERS = ["include/openrt", "libsmart/base", "libsmart/accel", "libsmart/kernel",
           "libsmart/geometry", "libsmart/scene", "libsmart/shading", "libsmart/render",
-          "libsmart/remote", "compat/recorder", "compat/openrt", "compat/rtu", "compat/rtut"]
+          "libsmart/remote", "compat/recorder", "compat/openrt", "compat/rtu", "compat/rtut",
+          "compat/stream", "compat/trace", "compat/mpi", "compat/remote"]
 # Those of them that are made of calls of the C API.
-ABOVE_THE_API = ("compat/openrt", "compat/rtu", "compat/rtut", "include/openrt")
+ABOVE_THE_API = ("compat/openrt", "compat/rtu", "compat/rtut", "compat/stream", "compat/trace",
+                 "include/openrt")
 # What records and starts frames (not its types and tokens); the core has never heard of it.
 API_HEADER = re.compile(r"include/openrt/(rt\.h|rt\.hpp|rt_(?!gl_enums)\w+\.h|rtut?\.h|gl\.h)$")
 # Samples for C++ programs that use the core instead of the C interface.

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""openrt-trace with whole programs: what is recorded plays to the same bits, also as C."""
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ARGUMENTS = None
+OFFSCREEN = ["--rt-offscreen", "2", "--rt-size", "80x60", "--rt-threads", "1"]
+
+
+def run(*words, **options):
+    return subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=120,
+                          **options)
+
+
+class Trace(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.file = self.folder / "calls.ort"
+
+    def trace(self, *words):
+        return run(ARGUMENTS.trace, *words, cwd=self.folder)
+
+    def record(self, *program):
+        result = self.trace("record", "-o", self.file, *program)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(self.file.exists())
+
+    def replayed(self):
+        result = self.trace("replay", self.file)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("as recorded", result.stdout)
+        self.assertNotIn(" 0 frames:", result.stdout)
+
+    def compiled(self):
+        source = self.folder / "program.c"
+        result = self.trace("source", self.file)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        source.write_text(result.stdout)
+        program = self.folder / "program"
+        library = pathlib.Path(ARGUMENTS.library)
+        result = run(ARGUMENTS.compiler, "-std=c99", "-O0",
+                     *[f"-I{folder}" for folder in ARGUMENTS.include], source, "-o", program,
+                     library, f"-Wl,-rpath,{library.parent}", "-lm")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return run(program)
+
+    def test_recorded_program(self):
+        self.record(ARGUMENTS.program)
+        self.replayed()
+        result = self.compiled()
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("5 frames, 0 of them", result.stdout)
+
+    def test_threads(self):
+        self.record(ARGUMENTS.program, "threads")
+        self.replayed()
+        result = self.trace("source", self.file)
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("several threads", result.stderr)
+
+    def test_ports(self):
+        for port in ARGUMENTS.ports:
+            with self.subTest(pathlib.Path(port).name):
+                self.record(port, *OFFSCREEN)
+                self.replayed()
+                if "gears" in port or "texbind" in port:
+                    result = self.compiled()
+                    self.assertEqual(result.returncode, 0, result.stdout)
+                    self.assertIn(" 0 of them", result.stdout)
+
+    def test_another_colour_in_the_source_is_another_frame(self):
+        self.record(ARGUMENTS.program)
+        text = self.trace("source", self.file).stdout
+        self.assertIn("rtColor3ub(255, 128, 0)", text)
+        (self.folder / "program.c").write_text(text)
+        original = self.trace
+
+        class Changed:
+            returncode, stderr = 0, ""
+            stdout = text.replace("rtColor3ub(255, 128, 0)", "rtColor3ub(0, 128, 0)")
+
+        self.trace = lambda *words: Changed if words[0] == "source" else original(*words)
+        self.assertEqual(self.compiled().returncode, 1)
+
+    def test_pictures(self):
+        self.record(ARGUMENTS.program)
+        result = self.trace("replay", self.file, "--output", "frame%03d.png")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        pictures = sorted(p.name for p in self.folder.glob("*.png"))
+        self.assertEqual(pictures, [f"frame{i:03d}.png" for i in range(1, 6)])
+        self.assertEqual(self.trace("replay", self.file, "--output", "frame.png").returncode, 3)
+
+    def test_until(self):
+        self.record(ARGUMENTS.program)
+        result = self.trace("replay", self.file, "--until", "10")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(result.stdout.startswith("10 calls, 0 frames"), result.stdout)
+
+    def test_info_and_dump(self):
+        self.record(ARGUMENTS.program)
+        info = self.trace("info", self.file).stdout
+        for line in ("frames: 5\n", "threads: 1\n", "contexts: 2\n"):
+            self.assertIn(line, info)
+        dump = self.trace("dump", self.file).stdout
+        self.assertIn("rtColor3ub(255, 128, 0)", dump)
+        self.assertIn("RT_INVALID_ENUM", dump)
+        calls = int(info.split("calls: ")[1].split("\n")[0])
+        self.assertEqual(sum(line[0] != " " for line in dump.splitlines()), calls)
+
+    def test_killed_program_leaves_its_calls(self):
+        self.record(ARGUMENTS.program)
+        whole = self.file.read_bytes()
+        self.file.write_bytes(whole[:len(whole) // 2] + bytes(4096))
+        result = self.trace("info", self.file)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("the end is missing", result.stdout)
+
+    def test_damage(self):
+        self.record(ARGUMENTS.program)
+        data = bytearray(self.file.read_bytes())
+        data[len(data) // 2] ^= 1
+        self.file.write_bytes(data)
+        for command in ("replay", "dump", "info", "source"):
+            result = self.trace(command, self.file)
+            self.assertIn(result.returncode, (0, 3))
+            if command == "replay":
+                self.assertEqual(result.returncode, 3)
+                self.assertIn("damaged", result.stderr)
+
+    def test_wrong_command_lines(self):
+        self.assertEqual(self.trace().returncode, 2)
+        self.assertEqual(self.trace("paint").returncode, 2)
+        self.assertEqual(self.trace("record").returncode, 2)
+        self.assertEqual(self.trace("replay", "nothing.ort").returncode, 3)
+        (self.folder / "text").write_text("no recording" * 10)
+        self.assertEqual(self.trace("info", "text").returncode, 3)
+        self.assertEqual(self.trace("--version").returncode, 0)
+        self.assertEqual(self.trace("--help").returncode, 0)
+
+    def test_status_of_the_program(self):
+        result = self.trace("record", "-o", self.file, "sh", "-c", "exit 7")
+        self.assertEqual(result.returncode, 7)
+        self.assertIn("called nothing of OpenRT", result.stderr)
+
+    def test_existing_files_are_not_overwritten_by_programs(self):
+        self.file.write_text("mine")
+        result = run(ARGUMENTS.program, env={**os.environ, "OPENRT_TRACE": str(self.file)})
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("File exists", result.stderr)
+        self.assertEqual(self.file.read_text(), "mine")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("--trace", "--compiler", "--library", "--program"):
+        parser.add_argument(name, required=True)
+    parser.add_argument("--include", action="append", default=[])
+    parser.add_argument("--ports", nargs="*", default=[])
+    global ARGUMENTS
+    ARGUMENTS, rest = parser.parse_known_args()
+    unittest.main(argv=sys.argv[:1] + rest)
+
+
+if __name__ == "__main__":
+    main()
