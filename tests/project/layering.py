@@ -5,7 +5,8 @@
 A layer includes itself and the layers before it:
 include/openrt < base < accel < kernel < geometry < scene < shading < render < remote < recorder
 < openrt < rtu < rtut < stream < trace < mpi < compat/remote. Besides: the headers of the C API are
-for the last seven (but mpi) and applications only; what the kernels see has neither GLM nor containers; samples see the public headers only; every quoted include is
+for the last seven (but mpi) and applications only; what the kernels see has neither GLM nor
+containers; samples see the public headers only; every quoted include is
 written from the root, but for programs that build alone.
 """
 import pathlib

@@ -227,8 +227,13 @@ TEST(RemoteWorkers, WhoCanNotGoOnSaysSo) {
     EXPECT_EQ(company.remote->working(), 0u);
 }
 
-/// Renders frames while something happens to the first of two workers after a random time.
-void disturb(const std::string& mode, int signal, int moments) {
+/// Renders frames while something happens to the first of two workers after a random time. How
+/// often it was noticed while there were frames: warnings, and tiles that others got.
+struct Noticed {
+    std::size_t warnings = 0;
+    uint64_t tiles = 0;
+};
+void disturb(const std::string& mode, int signal, int moments, Noticed& noticed) {
     std::mt19937 random(unsigned(signal) + 5);
     for (int moment = 0; moment < moments; ++moment) {
         std::vector<WorkerProcess> all;
@@ -251,19 +256,28 @@ void disturb(const std::string& mode, int signal, int moments) {
         for (const TestFrame& frame : frames) ASSERT_TRUE(isComplete(frame)) << moment;
         disturber.join();
         ASSERT_LE(company.warnings().size(), 1u);
+        noticed.warnings += company.warnings().size();
+        noticed.tiles += company.remote->traffic().tilesReturned;
     }
 }
 
 TEST(RemoteWorkers, KilledAtAnyMoment) {
-    disturb("honest", SIGKILL, 100);
+    Noticed noticed;
+    disturb("honest", SIGKILL, 100, noticed);
+    EXPECT_GT(noticed.warnings, 10u);
 }
 
 TEST(RemoteWorkers, StalledAtAnyMoment) {
-    disturb("honest", SIGSTOP, 100);
+    Noticed noticed;
+    disturb("honest", SIGSTOP, 100, noticed);
+    EXPECT_EQ(noticed.warnings, 0u);
+    EXPECT_GT(noticed.tiles, 10u);
 }
 
 TEST(RemoteWorkers, LyingAtAnyMoment) {
-    disturb("lie", 0, 100);
+    Noticed noticed;
+    disturb("lie", 0, 100, noticed);
+    EXPECT_GT(noticed.warnings, 10u);
 }
 
 TEST(RemoteWorkers, WhoTakesInNothingIsLeftOut) {
