@@ -152,9 +152,3 @@ RTAPI void RTAPIENTRY rtActiveTexture(RTenum texture) {
         checkUnit(texture);
     });
 }
-RTAPI void RTAPIENTRY rtClientActiveTexture(RTenum texture) {
-    guarded(__func__, [=](Context& c) {
-        c.recorder().requireOutsidePrimitive();
-        checkUnit(texture);
-    });
-}
