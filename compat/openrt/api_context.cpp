@@ -6,6 +6,7 @@
 #include "compat/openrt/frame_callback.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/init_arguments.h"
+#include "compat/openrt/other_processes.h"
 #include "compat/openrt/query_handles.h"
 #include "compat/openrt/tokens.h"
 #include "compat/recorder/frame_table.h"
@@ -67,6 +68,7 @@ RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
     if (refusedHere(__func__)) return;
     try {
         if (Context* context = currentContext()) context->recorder().requireOutsidePrimitive();
+        joinOtherProcesses();
         const InitOptions options = takeInitArguments(argcp, argv);
         resetDefaultContext(options.threads);
         FrameSettings& settings = currentContext()->recorder().frameSettings();
@@ -75,6 +77,7 @@ RTAPI void RTAPIENTRY rtInit(int* argcp, char* argv[]) {
     } catch (...) {
         report("rtInit");
     }
+    serveOtherProcess();
 }
 
 RTAPI void RTAPIENTRY rtExit(void) {

@@ -107,7 +107,7 @@ void copyTexImage(const char* function, RTenum target, RTenum internalFormat, RT
         if (internalFormat < 5) throwError(ErrorCode::InvalidEnum, "not an internal format");
         checkTextureImage(call);
         const std::vector<std::byte> bytes =
-            readBytes(c.frames().finishedPicture(false),
+            readBytes(c.frames().finishedPicture(false, PictureUse::Scene),
                       {x, y, uint32_t(call.width), uint32_t(call.height)});
         defineTextureImage(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
     });
@@ -120,7 +120,7 @@ void copyTexSubImage(const char* function, RTenum target, RTint x, RTint y,
         checkTextureTarget(target, call.target);
         checkTexturePart(c, call);
         const std::vector<std::byte> bytes =
-            readBytes(c.frames().finishedPicture(false),
+            readBytes(c.frames().finishedPicture(false, PictureUse::Scene),
                       {x, y, uint32_t(call.width), uint32_t(call.height)});
         replaceTexturePart(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
     });
@@ -188,7 +188,8 @@ RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei heig
         checkArea(width, height);
         if (width == 0 || height == 0) return;
         requirePointer(pixels, "pixels");
-        const Picture picture = c.frames().finishedPicture(packed.order == PackOrder::Depth);
+        const Picture picture = c.frames().finishedPicture(packed.order == PackOrder::Depth,
+                                                           PictureUse::Application);
         const PixelDrawing& transfer = c.recorder().pixelDrawingNow();
         packPixels(picture, {x, y, uint32_t(width), uint32_t(height)}, packed,
                    c.recorder().packStore(), transfer.scale, transfer.bias, pixels);
@@ -226,7 +227,7 @@ RTAPI void RTAPIENTRY rtCopyPixels(RTint x, RTint y, RTsizei width, RTsizei heig
         checkArea(width, height);
         if (width == 0 || height == 0) return;
         if (width > kMaxSide || height > kMaxSide) throw std::bad_alloc();
-        const Picture picture = c.frames().finishedPicture(false);
+        const Picture picture = c.frames().finishedPicture(false, PictureUse::Scene);
         const auto image = std::make_shared<ImagePixels>();
         image->width = uint32_t(width);
         image->height = uint32_t(height);

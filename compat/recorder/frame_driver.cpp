@@ -141,7 +141,7 @@ PixelTarget FrameDriver::ownTarget() {
     return target;
 }
 
-Picture FrameDriver::finishedPicture(bool depth) {
+Picture FrameDriver::finishedPicture(bool depth, PictureUse use) {
     recorder_.requireOutsideObject();
     const bool own = !applicationTarget().memory;
     PixelTarget target = own ? ownTarget() : applicationTarget();
@@ -164,6 +164,7 @@ Picture FrameDriver::finishedPicture(bool depth) {
             throw Error(ErrorCode::InvalidOperation,
                         "the frame before has ended without its depth; those from now on keep it");
     }
+    if (use == PictureUse::Scene) renderer_.sharePicture(target);
     return {target, target.aux.depth};
 }
 

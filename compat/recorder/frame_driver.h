@@ -12,6 +12,12 @@
 
 namespace smart::compat {
 
+/// Who gets what is read from a picture.
+enum class PictureUse {
+    Application,
+    Scene, ///< what later frames show: all processes that render have to see the picture
+};
+
 /// Starts the frames of one context and waits for them. Belongs to the context's thread.
 class FrameDriver {
 public:
@@ -27,13 +33,15 @@ public:
     void finish();
     /// What finish() leaves, to be read until the next frame is started. Without a frame buffer of
     /// the application's the library's own serves. `depth`: with window depth.
-    Picture finishedPicture(bool depth);
+    Picture finishedPicture(bool depth, PictureUse use);
     /// Like start(), any number of times; the frame's id. Waits while the queue is full.
     uint32_t queue();
     /// Queues what the frame before shows, seen by the camera in use now; the frame's id.
     uint32_t queueView();
     /// A frame was waited for: from now on the statistics are its own.
     void waitedFor(const QueuedFrame& frame);
+    /// Whether the frame waited for last has all its pixels.
+    bool isLastDone() const { return isLastDone_; }
     /// How many frames were queued so far, and where the last of them goes to.
     uint64_t submissions() const { return submissions_; }
     const PixelTarget& latestTarget() const { return last_; }

@@ -226,7 +226,7 @@ void CallRecording::recordOutcome(CallValue result) const {
 void CallRecording::recordPicture(CallValue result) const {
     withSink([&](Recording& r, CallSink& sink) {
         Context* const context = currentContext();
-        if (!context) return;
+        if (!context || !sink.wantsPictures()) return;
         const std::optional<PixelTarget> target = endedTarget(r, *context, call_, arguments_, result,
                                                               submissionsBefore_);
         if (!target) return;

@@ -17,6 +17,8 @@ public:
     virtual void record(std::span<const std::byte> wholeRecords) = 0;
     /// Players should have what was recorded so far: the call that runs next takes its time.
     virtual void flush() {}
+    /// Whether finished pictures are to be recorded, by their hashes.
+    virtual bool wantsPictures() const { return true; }
 };
 
 /// From now on; nullptr: nothing is recorded. A player can repeat what was recorded from the start

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "libsmart/render/stored_tile.h"
 #include "libsmart/render/tile_order.h"
 
 namespace smart {
@@ -63,6 +64,7 @@ void FrameQueue::submit(QueuedFramePtr frame) noexcept {
         --signal_->announced;
         for (QueuedFrame* f = first_.get(); f && !frame->sharesMemory_; f = f->behind_.get())
             frame->sharesMemory_ = frame->sharesMemoryWith(*f);
+        if (elsewhere_) frame->waiting_.store(0, std::memory_order_release);
         // It may have been cancelled already.
         if (frame->unfinished_.load(std::memory_order_acquire) == 0)
             signal_->settled.store(true, std::memory_order_release);
@@ -70,6 +72,7 @@ void FrameQueue::submit(QueuedFramePtr frame) noexcept {
         (last_ ? last_->behind_ : first_) = std::move(frame);
         last_ = added;
         ++incomplete_;
+        if (elsewhere_) endFrames(lock); // no worker of the queue does
     }
     signal_->work.notify_all();
 }
@@ -80,8 +83,26 @@ bool FrameQueue::take(QueuedFrame& frame, TileJob& job) {
     if (left <= 0) return false;
     job.frame = frame.frame_.get();
     job.tile = (*frame.tiles_)[std::size_t(frame.tileCount_) - std::size_t(left)];
-    frame.countTime(0, lap(job.since));
+    if (!job.remote) frame.countTime(0, lap(job.since));
     return true;
+}
+
+bool FrameQueue::takeReturned(QueuedFrame& frame, TileJob& job) {
+    if (!frame.returned_) return false;
+    job.claim = std::exchange(frame.returned_, nullptr);
+    frame.returned_ = std::exchange(job.claim->behind, nullptr);
+    job.frame = frame.frame_.get();
+    job.tile = job.claim->tile;
+    if (!job.remote) frame.countTime(0, lap(job.since));
+    return true;
+}
+
+// Whether a tile that was given back needs no worker any more. Without the queue's lock, which who
+// settles the claim at this moment may wait for.
+bool FrameQueue::isSettled(const QueuedFrame& frame, TileClaim& claim) {
+    const std::lock_guard lock(claim.mutex);
+    claim.settled |= frame.outcomeSoFar() != FrameStatus::Done;
+    return claim.settled;
 }
 
 bool FrameQueue::mayStart(const QueuedFrame& frame) const {
@@ -94,16 +115,33 @@ bool FrameQueue::mayStart(const QueuedFrame& frame) const {
 bool FrameQueue::next(TileJob& job) {
     if (job.since == Clock::time_point()) job.since = Clock::now();
     if (job.ticket) {
-        if (!signal_->settled.load(std::memory_order_acquire) &&
+        // A remote worker's frame may have been withdrawn.
+        if (!job.remote && !signal_->settled.load(std::memory_order_acquire) &&
             take(*static_cast<QueuedFrame*>(job.ticket.get()), job))
             return true;
         job.ticket.reset();
     }
+    for (;;) {
+        if (!find(job)) return false;
+        QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
+        if (!job.claim || !isSettled(frame, *job.claim)) return true;
+        job.claim = job.remote ? std::make_shared<TileClaim>() : nullptr;
+        finish(frame, 1);
+    }
+}
+
+// Waits for a tile that may be handed out. One that was given back may be settled already.
+bool FrameQueue::find(TileJob& job) {
     std::unique_lock lock(signal_->mutex);
     for (;;) {
         if (signal_->settled.load(std::memory_order_relaxed)) endFrames(lock);
         int left = kLookAhead;
         for (const QueuedFramePtr* f = &first_; *f && left > 0; f = &(*f)->behind_) {
+            if (job.remote && !(*f)->offered_.load(std::memory_order_relaxed)) continue;
+            if (takeReturned(**f, job)) {
+                job.ticket = *f;
+                return true;
+            }
             if ((*f)->waiting_.load(std::memory_order_relaxed) <= 0) continue;
             if (mayStart(**f) && take(**f, job)) {
                 job.ticket = *f;
@@ -129,16 +167,53 @@ bool FrameQueue::waitForWork(std::unique_lock<std::mutex>& lock) {
     return false;
 }
 
-void FrameQueue::done(TileJob& job, const TilePixels& pixels) {
+template <class Result, class Store>
+void FrameQueue::deliver(TileJob& job, const Result& result, const Store& store) {
     QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
-    writeTile(job.frame->target, job.tile, pixels);
-    frame.count(pixels);
+    const std::shared_ptr<TileClaim> claim = std::exchange(job.claim, nullptr);
+    std::unique_lock<std::mutex> lock;
+    if (claim) lock = std::unique_lock(claim->mutex);
+    // Without a settled claim the frame waits for this tile, whoever holds it.
+    if (claim && std::exchange(claim->settled, true)) return;
+    store(job.frame->target);
+    frame.count(result);
     if (frame.listener_) frame.listener_->tileDone(frame, job.tile);
+}
+
+void FrameQueue::done(TileJob& job, const TilePixels& pixels) {
+    deliver(job, pixels,
+            [&](const PixelTarget& target) { writeTile(target, job.tile, pixels); });
+    QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
     frame.countTime(lap(job.since), 0);
     finish(frame, 1);
 }
 
+void FrameQueue::answered(TileJob& job, const StoredTile& tile) {
+    deliver(job, tile,
+            [&](const PixelTarget& target) { placeTile(target, job.tile, tile.bytes); });
+    if (job.returned) return; // who has it now hands it back
+    QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
+    frame.countTime(tile.busyNanoseconds, 0);
+    finish(frame, 1);
+}
+
+void FrameQueue::returned(TileJob& job) noexcept {
+    QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
+    job.returned = true;
+    job.claim->tile = job.tile;
+    {
+        const std::lock_guard lock(signal_->mutex);
+        job.claim->behind = std::move(frame.returned_);
+        frame.returned_ = job.claim;
+    }
+    signal_->work.notify_all();
+}
+
 void FrameQueue::failed(TileJob& job, std::exception_ptr reason) noexcept {
+    if (const std::shared_ptr<TileClaim> claim = std::exchange(job.claim, nullptr)) {
+        const std::lock_guard lock(claim->mutex);
+        claim->settled = true;
+    }
     QueuedFrame& frame = *static_cast<QueuedFrame*>(job.ticket.get());
     frame.countTime(lap(job.since), 0);
     frame.keepError(std::move(reason));
@@ -211,6 +286,29 @@ void FrameQueue::setDepth(unsigned depth) {
 unsigned FrameQueue::depth() const {
     const std::lock_guard lock(signal_->mutex);
     return depth_;
+}
+
+void FrameQueue::renderElsewhere() {
+    const std::lock_guard lock(signal_->mutex);
+    elsewhere_ = true;
+}
+
+void FrameQueue::endElsewhere(QueuedFrame& frame, bool done) noexcept {
+    if (!done) {
+        signal_->cancelled.fetch_add(1, std::memory_order_relaxed);
+        frame.cancelled_.store(true, std::memory_order_release);
+    }
+    frame.unfinished_.store(0, std::memory_order_release);
+    std::unique_lock lock(signal_->mutex);
+    endFrames(lock);
+}
+
+void FrameQueue::offer(QueuedFrame& frame, bool toRemote) noexcept {
+    {
+        const std::lock_guard lock(signal_->mutex);
+        frame.offered_.store(toRemote, std::memory_order_relaxed);
+    }
+    signal_->work.notify_all();
 }
 
 RenderStatistics FrameQueue::statistics() const {

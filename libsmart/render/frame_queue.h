@@ -21,7 +21,7 @@ namespace smart {
 /// frame's listener is told by nobody else. prepare(), submit(), waitAll() and setDepth() belong
 /// to one thread, all else to any. Handing out and taking back a tile changes nothing shared but
 /// the frame's own counters, unless a worker turns to another frame or one ends.
-class FrameQueue final : public TileSource {
+class FrameQueue final : public SharedTileSource {
 public:
     /// depth: how many frames may be incomplete at once; at least 1.
     /// patience: how long workers wait for a frame before all of them go home; see deserted().
@@ -45,6 +45,12 @@ public:
     /// was prepared and not submitted: who finds no workers after prepare() has to open() the queue
     /// and send new ones.
     bool deserted() const;
+    /// From now on tiles are handed out by somebody else, and frames end by endElsewhere().
+    void renderElsewhere();
+    /// Ends a frame whose tiles were handed out elsewhere; it counts as cancelled unless `done`.
+    void endElsewhere(QueuedFrame& frame, bool done) noexcept;
+    /// Whether the frame's tiles may go to remote workers from now on; not at the start.
+    void offer(QueuedFrame& frame, bool toRemote) noexcept;
     /// Sends workers home once every tile is handed out; open() ends that.
     void close();
     void open();
@@ -52,9 +58,16 @@ public:
     bool next(TileJob& job) override;
     void done(TileJob& job, const TilePixels& pixels) override;
     void failed(TileJob& job, std::exception_ptr reason) noexcept override;
+    void answered(TileJob& job, const StoredTile& tile) override;
+    void returned(TileJob& job) noexcept override;
 
 private:
     static bool take(QueuedFrame& frame, TileJob& job);
+    static bool takeReturned(QueuedFrame& frame, TileJob& job);
+    static bool isSettled(const QueuedFrame& frame, TileClaim& claim);
+    bool find(TileJob& job);
+    template <class Result, class Store>
+    void deliver(TileJob& job, const Result& result, const Store& store);
     bool mayStart(const QueuedFrame& frame) const;
     bool waitForWork(std::unique_lock<std::mutex>& lock);
     void finish(QueuedFrame& frame, uint64_t tiles) noexcept;
@@ -70,6 +83,7 @@ private:
     unsigned depth_, incomplete_ = 0;
     bool closed_ = false;
     bool deserted_ = false;
+    bool elsewhere_ = false;
     bool ending_ = false; ///< some thread is ending frames, and will look again
     RenderStatistics statistics_;
 

@@ -137,12 +137,15 @@ std::exception_ptr QueuedFrame::takeError() noexcept {
     return std::exchange(error_, nullptr);
 }
 
-void QueuedFrame::count(const TilePixels& pixels) noexcept {
-    primaryRays_.fetch_add(pixels.primaryRays, std::memory_order_relaxed);
-    shadowRays_.fetch_add(pixels.shadowRays, std::memory_order_relaxed);
-    secondaryRays_.fetch_add(pixels.secondaryRays, std::memory_order_relaxed);
-    badPixels_.fetch_add(pixels.badPixels, std::memory_order_relaxed);
+template <class Result>
+void QueuedFrame::count(const Result& tile) noexcept {
+    primaryRays_.fetch_add(tile.primaryRays, std::memory_order_relaxed);
+    shadowRays_.fetch_add(tile.shadowRays, std::memory_order_relaxed);
+    secondaryRays_.fetch_add(tile.secondaryRays, std::memory_order_relaxed);
+    badPixels_.fetch_add(tile.badPixels, std::memory_order_relaxed);
 }
+template void QueuedFrame::count(const TilePixels&) noexcept;
+template void QueuedFrame::count(const StoredTile&) noexcept;
 
 void QueuedFrame::countTime(uint64_t busyNanoseconds, uint64_t idleNanoseconds) noexcept {
     busyNanoseconds_.fetch_add(busyNanoseconds, std::memory_order_relaxed);

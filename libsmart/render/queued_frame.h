@@ -13,6 +13,7 @@
 
 #include "libsmart/render/frame.h"
 #include "libsmart/render/render_statistics.h"
+#include "libsmart/render/tile_source.h"
 
 namespace smart {
 
@@ -76,6 +77,7 @@ public:
     std::exception_ptr takeError() noexcept;
     /// While the queue holds it; for listeners and the queue.
     const Frame& frame() const { return *frame_; }
+    const std::shared_ptr<const Frame>& sharedFrame() const { return frame_; }
 
 private:
     friend class FrameQueue;
@@ -91,7 +93,8 @@ private:
     /// Tells the listener, lets go of the frame, wakes those who wait.
     void end() noexcept;
     void keepBadPixels() noexcept;
-    void count(const TilePixels& pixels) noexcept;
+    template <class Result>
+    void count(const Result& tile) noexcept;
     void countTime(uint64_t busyNanoseconds, uint64_t idleNanoseconds) noexcept;
 
     const std::shared_ptr<QueueSignal> signal_;
@@ -106,13 +109,14 @@ private:
     std::shared_ptr<QueuedFrame> behind_; ///< the next in the queue
     bool sharesMemory_ = false;           ///< with one that was in the queue before it
     bool announced_ = false;              ///< counted in QueueSignal::announced
+    std::shared_ptr<TileClaim> returned_; ///< tiles to be handed out again, linked by behind
 
     // Tiles not handed out (0 and less: none), and tiles neither done, failed nor dropped.
     alignas(kCacheLine) std::atomic<int64_t> waiting_;
     alignas(kCacheLine) std::atomic<uint64_t> unfinished_;
     std::atomic<uint64_t> primaryRays_{0}, shadowRays_{0}, secondaryRays_{0}, badPixels_{0};
     std::atomic<uint64_t> busyNanoseconds_{0}, idleNanoseconds_{0};
-    std::atomic<bool> cancelled_{false}, failed_{false};
+    std::atomic<bool> cancelled_{false}, failed_{false}, offered_{false};
     std::atomic<FrameStatus> outcome_{FrameStatus::Queued}; ///< of an ended frame
 
     mutable std::mutex mutex_; // guards what follows

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libsmart/render/frame_queue.h"
+#include "libsmart/render/render_peers.h"
 #include "libsmart/render/tracers.h"
 #include "libsmart/render/worker.h"
 
@@ -29,22 +30,34 @@ public:
     explicit Implementation(unsigned threadCount) : threads(countOrAll(threadCount)) {}
     ~Implementation() { stop(); }
 
+    void join() {
+        if (team || number == 0) return;
+        if (RenderPeers* const peers = renderPeers()) participation = peers->join(queue, number);
+    }
     void start() {
         if (team && !queue.deserted()) return;
         team.reset();
         queue.open();
-        team.emplace(threads, queue, tracer);
+        if (participation)
+            team.emplace(participation->threads(threads), participation->source(), tracer);
+        else
+            team.emplace(threads, queue, tracer);
     }
     void stop() {
         queue.waitAll();
         queue.close();
+        if (participation) participation->close();
         team.reset();
+        participation.reset();
         queue.open();
     }
 
+    const uint64_t number = nextRendererNumber();
     unsigned threads;
     FrameTracer tracer;
-    FrameQueue queue{kQueueDepth, kPatience};
+    /// Threads of other processes count on those of this one: here nobody goes home.
+    FrameQueue queue{kQueueDepth, number != 0 ? FrameQueue::kForever : kPatience};
+    std::unique_ptr<Participation> participation; ///< nullptr: this process renders alone
     std::optional<ThreadTeam> team;
 };
 
@@ -53,6 +66,9 @@ Renderer::~Renderer() = default;
 
 QueuedFramePtr Renderer::prepare(std::shared_ptr<const Frame> frame,
                                  std::shared_ptr<FrameListener> listener) {
+    implementation_->join();
+    if (implementation_->participation)
+        listener = implementation_->participation->listener(std::move(listener));
     QueuedFramePtr prepared =
         implementation_->queue.prepare(std::move(frame), std::move(listener));
     implementation_->start(); // from here on nobody goes home until the frame was rendered
@@ -60,7 +76,13 @@ QueuedFramePtr Renderer::prepare(std::shared_ptr<const Frame> frame,
 }
 
 void Renderer::submit(QueuedFramePtr frame) noexcept {
+    if (implementation_->participation) implementation_->participation->submitting(frame);
     implementation_->queue.submit(std::move(frame));
+}
+
+void Renderer::sharePicture(const PixelTarget& picture) {
+    implementation_->start();
+    if (implementation_->participation) implementation_->participation->sharePicture(picture);
 }
 
 void Renderer::waitAll() {

@@ -23,6 +23,8 @@ public:
     /// Queues the frame and returns at once, unless as many as the queue's depth are incomplete:
     /// then it waits until one is. Frames are rendered and completed in order.
     void submit(QueuedFramePtr frame) noexcept;
+    /// A finished picture in its memory is going to be read by what frames are made of.
+    void sharePicture(const PixelTarget& picture);
     /// Waits for all frames that are queued.
     void waitAll();
     /// How many frames may be incomplete at once; 2 at the start.

@@ -47,9 +47,9 @@ public:
 
 thread_local bool isWorker = false;
 
-void nameThisThread([[maybe_unused]] unsigned number) {
+void nameThisThread([[maybe_unused]] const std::string& what) {
 #if defined(__linux__)
-    const std::string name = "openrt-" + std::to_string(number); // the system takes 15 characters
+    const std::string name = "openrt-" + what; // the system takes 15 characters
     pthread_setname_np(pthread_self(), name.substr(0, 15).c_str());
 #endif
 }
@@ -75,6 +75,16 @@ void work(TileSource& source, const Tracer& tracer) {
     }
 }
 
+std::jthread startWorkerThread(const char* name, std::function<void()> run) {
+    const SignalsBlocked signalsBlocked;
+    return std::jthread([name = std::string(name), run = std::move(run)] {
+        const FpEnvironment standard;
+        nameThisThread(name);
+        isWorker = true;
+        run();
+    });
+}
+
 bool onWorkerThread() noexcept {
     return isWorker;
 }
@@ -86,7 +96,7 @@ ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& trace
         try {
             threads_.emplace_back([&source, &tracer, i] {
                 const FpEnvironment standard;
-                nameThisThread(i);
+                nameThisThread(std::to_string(i));
                 isWorker = true;
                 work(source, tracer);
             });

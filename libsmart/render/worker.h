@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -24,6 +25,10 @@ public:
 private:
     std::vector<std::jthread> threads_;
 };
+
+/// A thread of the library's that may hand tiles back and therefore tell of frames: as those of a
+/// ThreadTeam are, but for what it does. Throws std::system_error.
+std::jthread startWorkerThread(const char* name, std::function<void()> run);
 
 /// Whether the calling thread is one of a ThreadTeam's: it must not wait for frames.
 bool onWorkerThread() noexcept;

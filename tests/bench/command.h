@@ -30,5 +30,6 @@ Run addFrame(CLI::App& app);
 Run addDynamic(CLI::App& app);
 Run addMemory(CLI::App& app);
 Run addReshade(CLI::App& app);
+Run addRemote(CLI::App& app);
 
 } // namespace smart::bench

@@ -22,6 +22,7 @@ constexpr Command kCommands[] = {
     {"dynamic", "scenes that change: updates, trees and rays for each step", addDynamic},
     {"memory", "bytes of objects and instances, and what lazy building saves", addMemory},
     {"reshade", "memory of instances with shaders of their own", addReshade},
+    {"remote", "machines that render together: costs, and what follows for many", addRemote},
 };
 
 int runCommand(int argc, char** argv) {

@@ -3,9 +3,10 @@
 """Who may include whom.
 
 A layer includes itself and the layers before it:
-include/openrt < base < accel < kernel < geometry < scene < shading < render < recorder < openrt
-< rtu < rtut < stream < trace. Besides: the headers of the C API are for these five and applications only; what
-the kernels see has neither GLM nor containers; samples see the public headers only; every quoted include is
+include/openrt < base < accel < kernel < geometry < scene < shading < render < remote < recorder
+< openrt < rtu < rtut < stream < trace < mpi < compat/remote. Besides: the headers of the C API are
+for the last seven (but mpi) and applications only; what the kernels see has neither GLM nor
+containers; samples see the public headers only; every quoted include is
 written from the root, but for programs that build alone.
 """
 import pathlib
@@ -16,8 +17,8 @@ from sources import source_files
 
 LAYERS = ["include/openrt", "libsmart/base", "libsmart/accel", "libsmart/kernel",
           "libsmart/geometry", "libsmart/scene", "libsmart/shading", "libsmart/render",
-          "compat/recorder", "compat/openrt", "compat/rtu", "compat/rtut", "compat/stream",
-          "compat/trace"]
+          "libsmart/remote", "compat/recorder", "compat/openrt", "compat/rtu", "compat/rtut",
+          "compat/stream", "compat/trace", "compat/mpi", "compat/remote"]
 # Those of them that are made of calls of the C API.
 ABOVE_THE_API = ("compat/openrt", "compat/rtu", "compat/rtut", "compat/stream", "compat/trace",
                  "include/openrt")

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Workers in processes of their own, at the other ends of sockets: whatever becomes of them, every
+// frame is complete, and equal to the bit to what one thread renders.
+#include "libsmart/remote/remote_workers.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <list>
+#include <memory>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "tests/libsmart/remote/shared_renderer.h"
+#include "tests/support/delayed_transport.h"
+#include "tests/support/socket_transport.h"
+
+namespace smart::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A worker process, ended in the end.
+class WorkerProcess {
+public:
+    WorkerProcess(const std::string& mode, unsigned number = 0) {
+        const SocketPair pair;
+        socket = pair.here;
+        const std::string there = std::to_string(pair.there), last = std::to_string(number);
+        id_ = fork();
+        if (id_ == 0) {
+            const int kept = dup(pair.there); // without closing on exec
+            execl(WORKER_PROCESS, WORKER_PROCESS, std::to_string(kept).c_str(), mode.c_str(),
+                  last.c_str(), nullptr);
+            _exit(9);
+        }
+        ::close(pair.there);
+    }
+    ~WorkerProcess() {
+        if (id_ <= 0) return;
+        kill(SIGKILL);
+        waitpid(id_, nullptr, 0);
+    }
+    WorkerProcess(WorkerProcess&& other) noexcept
+        : socket(other.socket), id_(std::exchange(other.id_, -1)) {}
+    void kill(int signal) const { ::kill(id_, signal); }
+    /// Waits for its end by itself; its exit status.
+    int wait() {
+        int status = -1;
+        waitpid(std::exchange(id_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    int socket = -1; ///< of the transport
+
+private:
+    pid_t id_ = -1;
+};
+
+/// A master with its workers.
+class Company {
+public:
+    explicit Company(std::vector<WorkerProcess> workers, RemoteOptions options = quick(),
+                     unsigned threads = 1, FakeTracer::Before before = {},
+                     std::chrono::microseconds latency = 0us)
+        : processes(std::move(workers)), sockets_(socketsOf(processes)),
+          delayed_(sockets_, latency), tracer_(std::move(before)) {
+        Transport& transport = latency > 0us ? static_cast<Transport&>(delayed_) : sockets_;
+        remote = std::make_unique<RemoteWorkers>(transport, std::move(options),
+                                                 [this](const std::string& text) {
+                                                     const std::lock_guard lock(mutex_);
+                                                     warnings_.push_back(text);
+                                                 });
+        renderer = std::make_unique<SharedRenderer>(*remote, 1, threads, tracer_);
+    }
+    static RemoteOptions quick() {
+        RemoteOptions options;
+        options.identity = "test";
+        options.stallAfter = 60ms;
+        options.deafAfter = 2s;
+        return options;
+    }
+    QueuedFramePtr submit(const TestFrame& frame, bool picture = false) {
+        const FrameCall call{frame.frame->id, frame.frame->target.width,
+                             frame.frame->target.height, picture, 0};
+        remote->addCall(std::as_bytes(std::span(&call, 1)));
+        return renderer->submit(frame);
+    }
+    std::vector<std::string> warnings() {
+        const std::lock_guard lock(mutex_);
+        return warnings_;
+    }
+
+    std::vector<WorkerProcess> processes;
+
+private:
+    static std::vector<int> socketsOf(const std::vector<WorkerProcess>& workers) {
+        std::vector<int> all;
+        for (const WorkerProcess& w : workers) all.push_back(w.socket);
+        return all;
+    }
+    std::mutex mutex_;
+    std::vector<std::string> warnings_;
+    SocketTransport sockets_;
+    DelayedTransport delayed_;
+    FakeTracer tracer_;
+
+public:
+    std::unique_ptr<RemoteWorkers> remote;
+    std::unique_ptr<SharedRenderer> renderer;
+};
+
+std::vector<WorkerProcess> workers(unsigned count, const std::string& mode = "honest",
+                                   unsigned number = 0) {
+    std::vector<WorkerProcess> all;
+    for (unsigned i = 0; i < count; ++i) all.emplace_back(mode, number);
+    return all;
+}
+
+/// Slow enough that others get tiles.
+void slowly(const Frame&, const Tile&) {
+    std::this_thread::sleep_for(300us);
+}
+
+constexpr uint32_t kWidth = 333, kHeight = 217; // 77 tiles
+
+TEST(RemoteWorkers, FramesAreSharedAndComplete) {
+    for (const unsigned count : {0u, 1u, 3u}) {
+        Company company(workers(count), Company::quick(), 1, slowly);
+        ASSERT_TRUE(company.remote->waitForPeers(10s));
+        EXPECT_EQ(company.remote->working(), count);
+        std::list<TestFrame> frames;
+        for (uint64_t id = 1; id <= 20; ++id) {
+            TestFrame& frame = frames.emplace_back(id, kWidth, kHeight);
+            company.submit(frame);
+        }
+        company.renderer.reset(); // waits
+        for (const TestFrame& frame : frames) EXPECT_TRUE(isComplete(frame)) << frame.frame->id;
+        EXPECT_EQ(company.remote->traffic().tilesSent > 0, count > 0);
+        EXPECT_TRUE(company.warnings().empty());
+        company.remote.reset();
+        for (WorkerProcess& process : company.processes) EXPECT_EQ(process.wait(), 0);
+    }
+}
+
+TEST(RemoteWorkers, RaysAreCountedWhereverTheyAreTraced) {
+    Company company(workers(2), Company::quick(), 1, slowly);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    TestFrame frame(1, kWidth, kHeight);
+    const QueuedFramePtr queued = company.submit(frame);
+    EXPECT_EQ(queued->wait(), FrameStatus::Done);
+    EXPECT_EQ(queued->statistics().primaryRays, uint64_t(kWidth) * kHeight);
+    EXPECT_EQ(queued->statistics().shadowRays, 77u * 2);
+    EXPECT_EQ(queued->progress(), 1.0f);
+}
+
+TEST(RemoteWorkers, MoreProcessesThanTiles) {
+    Company company(workers(4));
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    for (uint64_t id = 1; id <= 30; ++id) {
+        TestFrame frame(id, 1 + uint32_t(id) % 40, 1);
+        EXPECT_EQ(company.submit(frame)->wait(), FrameStatus::Done);
+        EXPECT_TRUE(isComplete(frame));
+    }
+}
+
+TEST(RemoteWorkers, PicturesReachThoseWhoLackThem) {
+    Company company(workers(2), Company::quick(), 1, slowly);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    for (uint64_t id = 1; id <= 5; ++id) {
+        TestFrame frame(id, kWidth, kHeight);
+        company.submit(frame, true)->wait();
+        company.renderer->participation().sharePicture(frame.frame->target);
+    }
+    company.renderer.reset();
+    company.remote.reset();
+    for (WorkerProcess& process : company.processes) EXPECT_EQ(process.wait(), 0); // saw them
+}
+
+TEST(RemoteWorkers, LatencyDelaysAndChangesNothing) {
+    Company company(workers(2), Company::quick(), 1, slowly, 5ms);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    TestFrame frame(1, kWidth, kHeight);
+    EXPECT_EQ(company.submit(frame)->wait(), FrameStatus::Done);
+    EXPECT_TRUE(isComplete(frame));
+}
+
+TEST(RemoteWorkers, SlowOnesDoNotHoldUpTheFrame) {
+    Company company(workers(1, "slow", 400000));
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    for (uint64_t id = 1; id <= 4; ++id) {
+        TestFrame frame(id, kWidth, kHeight);
+        EXPECT_EQ(company.submit(frame)->wait(), FrameStatus::Done);
+        EXPECT_TRUE(isComplete(frame));
+    }
+    EXPECT_EQ(company.remote->working(), 1u); // it may still be of use
+}
+
+TEST(RemoteWorkers, OthersLibrariesAreLeftOut) {
+    std::vector<WorkerProcess> all = workers(1);
+    all.emplace_back("other");
+    Company company(std::move(all), Company::quick(), 1, slowly);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    EXPECT_EQ(company.remote->working(), 1u);
+    TestFrame frame(1, kWidth, kHeight);
+    company.submit(frame)->wait();
+    EXPECT_TRUE(isComplete(frame));
+    ASSERT_EQ(company.warnings().size(), 1u);
+    EXPECT_EQ(company.warnings()[0], "process 2 renders no more: its library is another one: "
+                                     "another, not test");
+}
+
+TEST(RemoteWorkers, WhoCanNotGoOnSaysSo) {
+    Company company(workers(1, "diverge"), Company::quick(), 1, slowly);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    for (uint64_t id = 1; id <= 6; ++id) {
+        TestFrame frame(id, kWidth, kHeight);
+        company.submit(frame)->wait();
+        EXPECT_TRUE(isComplete(frame));
+    }
+    for (int i = 0; i < 1000 && company.warnings().empty(); ++i) std::this_thread::sleep_for(10ms);
+    ASSERT_EQ(company.warnings().size(), 1u);
+    EXPECT_EQ(company.warnings()[0], "process 1 renders no more: no such plug-in here");
+    EXPECT_EQ(company.remote->working(), 0u);
+}
+
+/// Renders frames while something happens to the first of two workers after a random time. How
+/// often it was noticed while there were frames: warnings, and tiles that others got.
+struct Noticed {
+    std::size_t warnings = 0;
+    uint64_t tiles = 0;
+};
+void disturb(const std::string& mode, int signal, int moments, Noticed& noticed) {
+    std::mt19937 random(unsigned(signal) + 5);
+    for (int moment = 0; moment < moments; ++moment) {
+        std::vector<WorkerProcess> all;
+        all.emplace_back(mode, unsigned(moment));
+        if (moment % 2 == 1) all.emplace_back("honest");
+        Company company(std::move(all), Company::quick(), 1, [](const Frame&, const Tile&) {
+            std::this_thread::sleep_for(50us);
+        });
+        const bool begun = moment % 10 == 0 || company.remote->waitForPeers(10s);
+        ASSERT_TRUE(begun);
+        std::list<TestFrame> frames;
+        std::jthread disturber([&, delay = random() % 15000] {
+            std::this_thread::sleep_for(std::chrono::microseconds(delay));
+            if (signal != 0) company.processes[0].kill(signal);
+        });
+        std::vector<QueuedFramePtr> queued;
+        for (uint64_t id = 1; id <= 3; ++id)
+            queued.push_back(company.submit(frames.emplace_back(id, kWidth, kHeight)));
+        for (const QueuedFramePtr& frame : queued) ASSERT_EQ(frame->wait(), FrameStatus::Done);
+        for (const TestFrame& frame : frames) ASSERT_TRUE(isComplete(frame)) << moment;
+        disturber.join();
+        ASSERT_LE(company.warnings().size(), 1u);
+        noticed.warnings += company.warnings().size();
+        noticed.tiles += company.remote->traffic().tilesReturned;
+    }
+}
+
+TEST(RemoteWorkers, KilledAtAnyMoment) {
+    Noticed noticed;
+    disturb("honest", SIGKILL, 100, noticed);
+    EXPECT_GT(noticed.warnings, 10u);
+}
+
+TEST(RemoteWorkers, StalledAtAnyMoment) {
+    Noticed noticed;
+    disturb("honest", SIGSTOP, 100, noticed);
+    EXPECT_EQ(noticed.warnings, 0u);
+    EXPECT_GT(noticed.tiles, 10u);
+}
+
+TEST(RemoteWorkers, LyingAtAnyMoment) {
+    Noticed noticed;
+    disturb("lie", 0, 100, noticed);
+    EXPECT_GT(noticed.warnings, 10u);
+}
+
+TEST(RemoteWorkers, WhoTakesInNothingIsLeftOut) {
+    RemoteOptions options = Company::quick();
+    options.window = 1u << 20;
+    options.deafAfter = 100ms;
+    Company company(workers(1), options);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    company.processes[0].kill(SIGSTOP);
+    const std::vector<std::byte> call(1u << 20);
+    for (int i = 0; i < 4; ++i) company.remote->addCall(call);
+    EXPECT_EQ(company.remote->working(), 0u);
+    ASSERT_EQ(company.warnings().size(), 1u);
+    EXPECT_EQ(company.warnings()[0], "process 1 renders no more: it takes in nothing");
+}
+
+} // namespace
+} // namespace smart::test

@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Programs that mpirun starts render the same bits as one process with one thread.
+
+mpi_jobs.py BIN LIBRARY SHADERS MODEL [ALL]
+
+BIN: folder of the programs; LIBRARY: libOpenRT; SHADERS: folder of shader libraries; MODEL: a
+scene. With ALL each sample is run with 1, 2, 3 and 4 ranks, else with one of these numbers.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BIN, LIBRARY, SHADERS, MODEL = (pathlib.Path(a).resolve() for a in sys.argv[1:5])
+ALL = len(sys.argv) > 5
+PORTS = ["checker", "clip", "fog", "gears", "isosurface", "material_grid", "mirror", "model",
+         "movelight", "nested_lists", "overlay", "panes", "planet", "revolution", "robot", "scene",
+         "shadows", "spots", "terrain", "texbind", "text", "torus", "varray", "rt_teapots",
+         "rt_mirror"]
+SECONDS = 120
+
+
+def environment(**changes):
+    result = {k: v for k, v in os.environ.items()
+              if not k.startswith(("OPENRT_", "OMPI_", "PMIX_", "PMI_"))}
+    result.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                  OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
+                  OMPI_MCA_btl_vader_single_copy_mechanism="none", OPENRT_MPI_REPORT="1")
+    result.update(changes)
+    return result
+
+
+def mpirun(*blocks):
+    """Runs blocks of (ranks, environment, command); the result with its text."""
+    command = ["mpirun"]
+    for i, (ranks, changes, program) in enumerate(blocks):
+        command += [":"] * (i > 0) + ["-n", str(ranks)]
+        for name, value in changes.items():
+            command += ["-x", f"{name}={value}"]
+        command += [str(part) for part in program]
+    return subprocess.run(command, env=environment(), capture_output=True, timeout=SECONDS,
+                          text=True)
+
+
+def alone(*program):
+    return subprocess.run([str(part) for part in program], capture_output=True, timeout=SECONDS,
+                          text=True, env=environment(OPENRT_MPI="0", OPENRT_THREADS="1"))
+
+
+def remote_tiles(text):
+    found = re.search(r"(\d+) of its tiles by (\d+) other", text)
+    return (int(found[1]), int(found[2])) if found else (0, 0)
+
+
+class Jobs(unittest.TestCase):
+    tiles = 0
+
+    def setUp(self):
+        self._temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self._temporary.name)
+
+    def tearDown(self):
+        self._temporary.cleanup()
+
+    def files(self, name):
+        return {p.name: p.read_bytes() for p in sorted((self.folder / name).iterdir())}
+
+    def compare(self, ranks, command, code=0):
+        """command(folder) gives the program that writes its pictures there."""
+        for name in ("alone", "together"):
+            shutil.rmtree(self.folder / name, ignore_errors=True)
+            (self.folder / name).mkdir()
+        first = alone(*command(self.folder / "alone"))
+        self.assertEqual(first.returncode, code, first.stderr)
+        result = mpirun((ranks, {}, command(self.folder / "together")))
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(self.files("alone"), self.files("together"))
+        self.assertTrue(self.files("alone"))
+        self.assertEqual(result.stdout, first.stdout)
+        self.assertNotIn("renders no more", result.stderr)
+        tiles, others = remote_tiles(result.stderr)
+        self.assertEqual(others, ranks - 1, result.stderr)
+        Jobs.tiles += tiles
+        return tiles
+
+    def program(self, way):
+        return lambda folder: [BIN / "mpi_program", folder / "out", way]
+
+    def test_ports(self):
+        for i, port in enumerate(PORTS):
+            for ranks in (1, 2, 3, 4) if ALL else (1 + i % 4,):
+                with self.subTest(port=port, ranks=ranks):
+                    self.compare(ranks, lambda folder: [
+                        BIN / "ports" / port, "--rt-offscreen", 2, "--rt-size", "160x120",
+                        "--rt-output", folder / "frame%03d.png"])
+
+    def test_render_a_scene(self):
+        for ranks in (2, 4):
+            tiles = self.compare(ranks, lambda folder: [
+                BIN / "openrt-render", MODEL, "-o", folder / "out.png", "--size", "320x240"])
+            self.assertGreater(tiles, 0)
+
+    def test_frames_of_scenes_that_change(self):
+        for ranks in (1, 2, 3, 4):
+            tiles = self.compare(ranks, self.program("frames"))
+            self.assertEqual(tiles > 0, ranks > 1)
+
+    def test_pictures_that_become_textures(self):
+        self.assertGreater(self.compare(3, self.program("copy")), 0)
+
+    def test_contexts(self):
+        self.compare(3, self.program("contexts"))
+
+    def test_leaving_without_rtExit(self):
+        self.compare(2, self.program("exit"), code=3)
+
+    def test_leaving_in_the_middle_of_a_frame(self):
+        result = mpirun((3, {}, self.program("abandon")(self.folder)))
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_library_opened_at_run_time(self):
+        self.compare(2, lambda folder: [BIN / "opened_library", LIBRARY, folder / "out"])
+
+    def test_ranks_of_different_instruction_sets(self):
+        path = self.folder / "alone"
+        path.mkdir()
+        alone(BIN / "mpi_program", path / "out", "frames")
+        program = [BIN / "mpi_program", self.folder / "out", "frames"]
+        result = mpirun((1, {"OPENRT_ISA": "generic"}, program), (1, {}, program),
+                        (1, {"OPENRT_ISA": "sse4"}, program))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "out").read_bytes(), (path / "out").read_bytes())
+        self.assertGreater(remote_tiles(result.stderr)[0], 0)
+
+    def test_a_plug_in_that_a_rank_lacks_is_named(self):
+        path = self.folder / "alone"
+        path.mkdir()
+        program = [BIN / "mpi_program", self.folder / "out", "plugin"]
+        first = subprocess.run(
+            [str(p) for p in program], capture_output=True, timeout=SECONDS,
+            env=environment(OPENRT_MPI="0", OPENRT_SHADER_PATH=str(SHADERS)))
+        self.assertEqual((first.returncode, first.stdout), (0, b""))
+        expected = (self.folder / "out").read_bytes()
+        with_it = {"OPENRT_SHADER_PATH": SHADERS}
+        result = mpirun((2, with_it, program))
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        self.assertEqual((self.folder / "out").read_bytes(), expected)
+        result = mpirun((2, with_it, program), (1, {"OPENRT_SHADER_PATH": "/"}, program))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "out").read_bytes(), expected)
+        self.assertRegex(result.stderr, "rank 2 renders no more: rtGenNewShaderClass")
+        self.assertIn("error: ", result.stdout)  # and an error of the interface, once
+        self.assertIn("rank 2", result.stdout)
+        self.assertEqual(result.stdout.count("\n"), 1)
+
+    def test_another_build_of_the_library_is_left_out(self):
+        other = self.folder / "other"
+        other.mkdir()
+        data = bytearray(LIBRARY.read_bytes())
+        at = data.find(b"\x04\0\0\0\x14\0\0\0\x03\0\0\0GNU\0")
+        if at < 0:
+            self.skipTest("no build id in the library")
+        data[at + 16] ^= 1
+        (other / "libOpenRT.so.0").write_bytes(data)
+        shutil.copy(LIBRARY.parent / "libOpenRT-mpi.so.0", other)
+        program = [BIN / "mpi_program", self.folder / "out", "frames"]
+        path = self.folder / "alone"
+        path.mkdir()
+        alone(BIN / "mpi_program", path / "out", "frames")
+        result = mpirun((2, {}, program), (1, {"LD_LIBRARY_PATH": other,
+                                               "LD_PRELOAD": other / "libOpenRT.so.0"}, program))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "out").read_bytes(), (path / "out").read_bytes())
+        self.assertRegex(result.stderr, "rank 2 renders no more: its library is another one")
+        self.assertIn("its library is another one", result.stdout)
+
+    def test_asked_for_without_a_launcher(self):
+        program = self.program("frames")(self.folder)
+        result = subprocess.run([str(p) for p in program], capture_output=True, timeout=SECONDS,
+                                text=True, env=environment(OPENRT_MPI="1"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_without_the_component(self):
+        lonely = self.folder / "lonely"
+        lonely.mkdir()
+        shutil.copy(LIBRARY, lonely / "libOpenRT.so.0")
+        program = [BIN / "opened_library", lonely / "libOpenRT.so.0", self.folder / "out"]
+        result = subprocess.run([str(p) for p in program], capture_output=True, timeout=SECONDS,
+                                text=True, env=environment(OPENRT_MPI="1"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("renders alone: libOpenRT-mpi.so.0", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
