@@ -62,9 +62,10 @@ void addLayer(Mixer& mixer, const Frame& layer) {
     const bool special[] = {layer.camera != nullptr, layer.environment != nullptr,
                             layer.renderingObject != nullptr, layer.primitives != nullptr};
     mixer.add(special);
-    for (const Instance& instance : layer.scene->group().instances()) {
+    for (const InstanceView& instance : layer.scene->group().instances()) {
         mixer.add(instance.toParent), mixer.add(instance.objectId);
-        mixer.add(instance.model ? instance.model->triangles.size() : 0);
+        const Model* const model = instance.traits->model.get();
+        mixer.add(model ? model->triangles.size() : 0);
     }
 }
 

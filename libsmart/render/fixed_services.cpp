@@ -32,9 +32,9 @@ void RayServices::describe(const Hit& hit, ShadedSample& found) const {
     found.primitive = hit.triangle;
     const InstanceGroup* group = &frame_.scene->group();
     for (uint32_t level = 0; level < hit.levels; ++level) {
-        const Instance& instance = group->instances()[hit.path[level]];
+        const InstanceView& instance = group->instances()[hit.path[level]];
         found.object = instance.objectId;
-        group = &instance.model->children;
+        group = &instance.traits->model->children;
     }
 }
 

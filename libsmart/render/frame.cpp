@@ -13,16 +13,18 @@ namespace {
 constexpr std::size_t kMostBoxes = 16;
 
 /// Of an instance in its scene, with room for what rounding does to hits.
-Aabb roomyBounds(const Instance& instance) {
+Aabb roomyBounds(const InstanceView& instance) {
     constexpr float kRoom = 0x1p-10f;
     Aabb box;
-    if (!instance.model || instance.model->bounds.empty()) return box;
-    const Aabb& own = instance.model->bounds;
+    const Model* const model = instance.traits->model.get();
+    if (!model || model->bounds.empty()) return box;
+    const Aabb& own = model->bounds;
+    const glm::dmat4x3 matrix = toParent(instance);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 place(corner & 1 ? own.hi[0] : own.lo[0],
                                corner & 2 ? own.hi[1] : own.lo[1],
                                corner & 4 ? own.hi[2] : own.lo[2]);
-        const glm::vec3 moved(instance.toParent * glm::dvec4(place, 1.0));
+        const glm::vec3 moved(matrix * glm::dvec4(place, 1.0));
         box.add(&moved.x);
     }
     float size = 0.0f;
@@ -33,6 +35,18 @@ Aabb roomyBounds(const Instance& instance) {
         box.hi[k] += kRoom * size;
     }
     return box;
+}
+
+/// Of instances that are not opaque; none where there are too many.
+std::vector<Aabb> findSeeThrough(const InstanceGroup& group) {
+    std::vector<Aabb> boxes;
+    for (const InstanceView& instance : group.instances()) {
+        const FixedState* const state = instance.traits->state.get();
+        if (!state || state->isOpaque()) continue;
+        if (boxes.size() == kMostBoxes) return {};
+        boxes.push_back(roomyBounds(instance));
+    }
+    return boxes;
 }
 
 } // namespace
@@ -48,21 +62,17 @@ bool LayerNeeds::isAlone(const glm::vec3& place) const {
 
 LayerNeeds findLayerNeeds(const Scene& scene) {
     LayerNeeds needs;
-    bool fewBoxes = true;
+    bool opaque = true;
     bool first = false, last = false; // which of equal hits some state asks for
     const FixedState* before = nullptr;
     for (const auto& traits : scene.group().traits()) {
         const FixedState* const state = traits->state.get();
         if (!state) first = true;
         if (!state) continue;
-        if (fewBoxes && !state->isOpaque()) {
-            fewBoxes = needs.seeThrough.size() < kMostBoxes;
-            if (fewBoxes) needs.seeThrough.push_back(roomyBounds(instance));
-        }
         if (state == before) continue;
         before = state;
         (state->ops.depthFunction == CompareFunction::LessEqual ? last : first) = true;
-        needs.collects |= !state->isOpaque();
+        opaque &= state->isOpaque();
         const FixedFragmentOps& ops = state->ops;
         const FixedRaster& raster = state->raster;
         needs.opaqueHides &= ops.depthTest && !raster.offsetFill &&
@@ -75,8 +85,8 @@ LayerNeeds findLayerNeeds(const Scene& scene) {
     }
     const bool takesLast = scene.view().lastOfEqual != 0;
     needs.equalsDiffer = takesLast ? first : last;
-    needs.collects |= needs.equalsDiffer;
-    if (!fewBoxes) needs.seeThrough.clear();
+    needs.collects = !opaque || needs.equalsDiffer;
+    if (!opaque) needs.seeThrough = findSeeThrough(scene.group());
     return needs;
 }
 
