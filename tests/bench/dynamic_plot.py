@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Tables and pictures of what `openrt-bench dynamic`, `openrt-bench memory` and sample_rates.py found.
+"""Tables and pictures of what `openrt-bench dynamic` and `memory`, and sample_rates.py, found.
 
 usage: dynamic_plot.py [--dynamic FILE.json] [--memory FILE.json] [--samples FILE.json]
                        --page PAGE.md --out FOLDER

@@ -167,7 +167,8 @@ TEST(InvertAffineTest, TheUsualWayGivesTheSameBits) {
     int usual = 0, refused = 0, mirrored = 0;
     for (int i = 0; i < 20000; ++i) {
         glm::dmat4x3 matrix = random.matrix(i % 3 ? i % 99 : 180);
-        for (int entry = i % 8; entry < 3; ++entry) matrix[entry][(entry + i) % 3] = i % 16 ? 0 : -0.0;
+        for (int entry = i % 8; entry < 3; ++entry)
+            matrix[entry][(entry + i) % 3] = i % 16 ? 0 : -0.0;
         if (i % 40 == 1) matrix[2] = 2.0 * matrix[1];
         const Columns columns(matrix);
         AffineRows slow, fast;
