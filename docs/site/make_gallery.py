@@ -11,6 +11,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import textwrap
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -76,7 +77,9 @@ def main():
             if picture:
                 (PICTURES / f"{source.stem}.png").write_bytes(picture.read_bytes())
                 text += section(source, words, seconds)
-    PAGE.write_text("\n".join(text).rstrip() + "\n", encoding="utf-8")
+    wrapped = (textwrap.fill(line, 100, break_on_hyphens=False, break_long_words=False)
+               if line and line[0] not in "!#`[b" else line for line in text)
+    PAGE.write_text("\n".join(wrapped).rstrip() + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

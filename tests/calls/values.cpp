@@ -174,7 +174,7 @@ const std::vector<Value>& valuesOf(Kind kind) {
 
 const std::vector<RTenum>& apiTokens() {
     static const std::vector<RTenum> tokens = {
-#include "api_tokens.inc"
+#include "tests/calls/api_tokens.inc"
     };
     return tokens;
 }

@@ -13,6 +13,7 @@ import json
 import pathlib
 import shutil
 import sys
+import textwrap
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -169,12 +170,16 @@ def sizes():
 def page():
     about = read("about.json") or {}
     when = f" Results of {about['date']}, {about['machine']}." if about else ""
-    return "\n".join([
+    lines = [
         "# Hardening in figures", "",
         "What was done to make the library fail, how often, and what came of it. `./check --long` "
         "makes all of these runs; `tests/figures/page.py` made this page of their results, which are "
         "in `docs/figures/results`. What has no result says so." + when, "",
-        *fuzzing(), *memory(), *calls(), *suites(), *sizes()]).rstrip() + "\n"
+        *fuzzing(), *memory(), *calls(), *suites(), *sizes()]
+    wrapped = (line if line.startswith("|") else textwrap.fill(line, 100, break_on_hyphens=False,
+                                                               break_long_words=False)
+               for line in lines)
+    return "\n".join(wrapped).rstrip() + "\n"
 
 
 def main():

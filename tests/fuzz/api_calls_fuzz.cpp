@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "api_calls.h"
+#include "tests/calls/api_calls.h"
 #include "tests/fuzz/input.h"
 
 namespace openrt::test {

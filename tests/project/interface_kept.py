@@ -7,7 +7,8 @@ compiled with keeps its meaning.
     interface_kept.py ROOT --write VERSION  keeps the interface as that of a release
 
 A function keeps its signature, a token its value, a structure its members. New functions and tokens
-may come; structures of the shader interface may grow at their ends (rts.h says how).
+may come; structures of the shader interface may grow at their ends (rts.h says how). Until a release
+is out its text may be written anew, which a change on purpose asks for.
 """
 import argparse
 import pathlib
