@@ -272,7 +272,8 @@ bool LayerPass::hidesOthers(uint32_t lane, const Hit& nearest) {
 }
 
 bool LayerPass::decidesAlone(uint32_t lane, const Hit& nearest) {
-    if (!hidesOthers(lane, nearest)) return false;
+    // In eye space a place's coordinates are as large as its distance, which its rounding goes by.
+    if (layer_.camera || !hidesOthers(lane, nearest)) return false;
     const Ray ray = rays_->ray(int(lane));
     glm::vec3 place;
     for (int k = 0; k < 3; ++k) place[k] = ray.org[k] + nearest.t * ray.dir[k];
