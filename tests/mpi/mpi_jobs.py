@@ -22,6 +22,9 @@ PORTS = ["checker", "clip", "fog", "gears", "isosurface", "material_grid", "mirr
          "movelight", "nested_lists", "overlay", "panes", "planet", "revolution", "robot", "scene",
          "shadows", "spots", "terrain", "texbind", "text", "torus", "varray", "rt_teapots",
          "rt_mirror"]
+SHORT = {"01_triangle": ["out.png"], "02_instances": ["out.png"], "03_sphere": ["out.pfm"],
+         "04_floor": ["out.pfm"], "06_shaders": ["out.png"], "07_frame_queue": ["frame", "2"]}
+CHANGING = ["shoal", "sheet", "flight", "day_and_night"]
 SECONDS = 120
 
 
@@ -91,18 +94,31 @@ class Jobs(unittest.TestCase):
     def program(self, way):
         return lambda folder: [BIN / "mpi_program", folder / "out", way]
 
-    def test_ports(self):
-        for i, port in enumerate(PORTS):
+    def compare_all(self, programs):
+        for i, (name, command) in enumerate(programs):
             for ranks in (1, 2, 3, 4) if ALL else (1 + i % 4,):
-                with self.subTest(port=port, ranks=ranks):
-                    self.compare(ranks, lambda folder: [
-                        BIN / "ports" / port, "--rt-offscreen", 2, "--rt-size", "160x120",
-                        "--rt-output", folder / "frame%03d.png"])
+                with self.subTest(program=name, ranks=ranks):
+                    self.compare(ranks, command)
+
+    def offscreen(self, program):
+        return lambda folder: [program, "--rt-offscreen", 2, "--rt-size", "160x120",
+                               "--rt-output", folder / "frame%03d.png"]
+
+    def test_ports(self):
+        self.compare_all((p, self.offscreen(BIN / "ports" / p)) for p in PORTS)
+
+    def test_samples_of_changing_scenes(self):
+        self.compare_all((p, self.offscreen(BIN / "changing" / p)) for p in CHANGING)
+
+    def test_short_samples(self):
+        self.compare_all((p, lambda folder, p=p, a=a: [BIN / p, folder / a[0], *a[1:]])
+                         for p, a in SHORT.items())
 
     def test_render_a_scene(self):
         for ranks in (2, 4):
             tiles = self.compare(ranks, lambda folder: [
-                BIN / "openrt-render", MODEL, "-o", folder / "out.png", "--size", "320x240"])
+                BIN / "openrt-render", MODEL, "-o", folder / "out.png", "--size", "640x480",
+                "--frames", 10])
             self.assertGreater(tiles, 0)
 
     def test_frames_of_scenes_that_change(self):
@@ -138,15 +154,16 @@ class Jobs(unittest.TestCase):
         self.assertGreater(remote_tiles(result.stderr)[0], 0)
 
     def test_a_plug_in_that_a_rank_lacks_is_named(self):
-        path = self.folder / "alone"
-        path.mkdir()
+        shaders = self.folder / "shaders"
+        shaders.mkdir()
+        shutil.copy(SHADERS / "marble.so", shaders / "only_here.so")
         program = [BIN / "mpi_program", self.folder / "out", "plugin"]
         first = subprocess.run(
             [str(p) for p in program], capture_output=True, timeout=SECONDS,
-            env=environment(OPENRT_MPI="0", OPENRT_SHADER_PATH=str(SHADERS)))
+            env=environment(OPENRT_MPI="0", OPENRT_SHADER_PATH=str(shaders)))
         self.assertEqual((first.returncode, first.stdout), (0, b""))
         expected = (self.folder / "out").read_bytes()
-        with_it = {"OPENRT_SHADER_PATH": SHADERS}
+        with_it = {"OPENRT_SHADER_PATH": shaders}
         result = mpirun((2, with_it, program))
         self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
         self.assertEqual((self.folder / "out").read_bytes(), expected)

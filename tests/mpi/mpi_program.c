@@ -115,7 +115,7 @@ static void contexts(void) {
 
 static void plugin(void) {
     int i;
-    rtGenNewShaderClass("Marble", "marble.so");
+    rtGenNewShaderClass("Marble", "only_here.so");
     rtBindShader(rtGenNewShader());
     print();
     for (i = 0; i < 3; ++i) frames(3);

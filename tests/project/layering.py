@@ -21,7 +21,7 @@ LAYERS = ["include/openrt", "libsmart/base", "libsmart/accel", "libsmart/kernel"
           "compat/stream", "compat/trace", "compat/mpi", "compat/remote"]
 # Those of them that are made of calls of the C API.
 ABOVE_THE_API = ("compat/openrt", "compat/rtu", "compat/rtut", "compat/stream", "compat/trace",
-                 "include/openrt")
+                 "compat/remote", "include/openrt")
 # What records and starts frames (not its types and tokens); the core has never heard of it.
 API_HEADER = re.compile(r"include/openrt/(rt\.h|rt\.hpp|rt_(?!gl_enums)\w+\.h|rtut?\.h|gl\.h)$")
 # Samples for C++ programs that use the core instead of the C interface.
