@@ -45,6 +45,7 @@ QueuedFramePtr FrameDriver::submit(const PixelTarget& target, uint32_t* id) {
 
 void FrameDriver::waitedFor(const QueuedFrame& frame) {
     frameStatistics_ = frame.statistics();
+    isLastDone_ = frame.status() == FrameStatus::Done;
     countRays();
 }
 
@@ -71,11 +72,6 @@ QueuedFramePtr FrameDriver::submit(const std::shared_ptr<Frame>& frame, uint32_t
     renderer_.submit(queued);
     countRays();
     return queued;
-}
-
-void FrameDriver::waitedFor(const QueuedFrame& frame) {
-    frameStatistics_ = frame.statistics();
-    isLastDone_ = frame.status() == FrameStatus::Done;
 }
 
 void FrameDriver::start() {
