@@ -35,6 +35,10 @@ bool isInvertible(const AffineColumns& m) {
         magnitude += std::fabs(m[column][0]) * (std::fabs(left) + std::fabs(right));
     }
     if (!(std::fabs(determinant) > kSingular * magnitude)) return false;
+    // The inverse's entries are below 2^600 then.
+    const double farthest =
+        std::max({std::fabs(m[3][0]), std::fabs(m[3][1]), std::fabs(m[3][2])});
+    if (farthest < 0x1p300 && std::isfinite(m[3][0] + m[3][1] + m[3][2])) return true;
     invertUsual(m, inverse);
     return std::isfinite(inverse[0][3]) && std::isfinite(inverse[1][3]) &&
            std::isfinite(inverse[2][3]);
