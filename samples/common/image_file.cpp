@@ -7,6 +7,8 @@
 #include <cstring>
 #include <memory>
 
+#include "samples/common/jpeg_tables.h"
+
 #ifdef SAMPLES_HAVE_EXR
 #    include <OpenEXR/ImfChannelList.h>
 #    include <OpenEXR/ImfFrameBuffer.h>
@@ -60,6 +62,7 @@ Image decodePng(std::span<const uint8_t> bytes, PixelBudget& budget) {
 Image decodeJpeg([[maybe_unused]] std::span<const uint8_t> bytes,
                  [[maybe_unused]] PixelBudget& budget) {
 #ifdef SAMPLES_HAVE_JPEG
+    checkJpegTables(bytes);
     int width = 0, height = 0, channels = 0;
     const int size = int(std::min<std::size_t>(bytes.size(), std::size_t(1) << 30));
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) {

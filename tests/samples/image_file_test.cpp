@@ -43,6 +43,11 @@ TEST(ImageFile, BrokenImagesAreRefused) {
     EXPECT_THROW(decodeImage(text, budget), LoadError);
     const std::vector<uint8_t> jpeg = {0xFF, 0xD8, 0xFF, 0xE0, 0, 16, 'J', 'F', 'I', 'F'};
     EXPECT_THROW(decodeImage(jpeg, budget), LoadError);
+    // A Huffman table of 16 times 255 codes, more than there are symbols.
+    std::vector<uint8_t> table = {0xFF, 0xD8, 0xFF, 0xC4, 0x10, 0x03, 0};
+    table.resize(table.size() + 16, 255);
+    table.resize(table.size() + 16 * 255, 0);
+    EXPECT_THROW(decodeImage(table, budget), LoadError);
 }
 
 TEST(ImageFile, ABudgetBoundsWhatIsDecoded) {

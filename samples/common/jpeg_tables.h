@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace samples {
+
+/// Checks that no Huffman table of a JPEG file has more codes than there are symbols: stb_image, up to
+/// version 2.27, writes beyond its own table then. Throws LoadError.
+void checkJpegTables(std::span<const uint8_t> bytes);
+
+} // namespace samples
