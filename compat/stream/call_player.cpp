@@ -91,11 +91,14 @@ class CallPlayer::Implementation {
 public:
     Implementation(PlayPolicy* policy, const PlayLimits& limits)
         : policy_(policy ? *policy : everything_), limits_(limits), budget_(limits.memory),
-          buffers_(budget_), threads_(limits.threads) {
+          buffers_(budget_), threads_(std::make_unique<PlayerThreads>(limits.threads)) {
         const std::lock_guard lock(listeners().mutex);
         listeners().players.insert(this);
     }
     ~Implementation() {
+        threads_.reset(); // and what was current there
+        // Frames in flight go to memory of the player's.
+        for (const RTcontext context : heard_) rtDestroyContext(context);
         const std::lock_guard lock(listeners().mutex);
         listeners().players.erase(this);
     }
@@ -130,7 +133,7 @@ private:
         case RecordKind::Call:
             reader_.readCall(record, record_);
             settle(head.thread, head.depth);
-            threads_.run(head.thread, [&] { playCall(head); });
+            threads_->run(head.thread, [&] { playCall(head); });
             break;
         case RecordKind::Outcome: compare(head, reader_.readOutcome(record)); break;
         case RecordKind::Picture: comparePicture(CallReader::readPicture(record)); break;
@@ -376,7 +379,7 @@ private:
     RTenum error_ = RT_NO_ERROR; ///< the first of the call under way
     bool isMade_ = false;
     bool hasFailed_ = false;
-    PlayerThreads threads_; // first to end: its threads use the others
+    std::unique_ptr<PlayerThreads> threads_;
 };
 
 CallPlayer::CallPlayer(PlayPolicy* policy, const PlayLimits& limits)
