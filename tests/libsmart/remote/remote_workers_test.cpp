@@ -255,7 +255,7 @@ void disturb(const std::string& mode, int signal, int moments, Noticed& noticed)
         for (const QueuedFramePtr& frame : queued) ASSERT_EQ(frame->wait(), FrameStatus::Done);
         for (const TestFrame& frame : frames) ASSERT_TRUE(isComplete(frame)) << moment;
         disturber.join();
-        ASSERT_LE(company.warnings().size(), 1u);
+        ASSERT_LE(company.warnings().size(), company.processes.size() * 2); // late, and gone
         noticed.warnings += company.warnings().size();
         noticed.tiles += company.remote->traffic().tilesReturned;
     }
@@ -270,7 +270,7 @@ TEST(RemoteWorkers, KilledAtAnyMoment) {
 TEST(RemoteWorkers, StalledAtAnyMoment) {
     Noticed noticed;
     disturb("honest", SIGSTOP, 100, noticed);
-    EXPECT_EQ(noticed.warnings, 0u);
+    EXPECT_GT(noticed.warnings, 10u);
     EXPECT_GT(noticed.tiles, 10u);
 }
 
