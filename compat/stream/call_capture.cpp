@@ -10,6 +10,7 @@
 #include <span>
 
 #include "compat/stream/array_capture.h"
+#include "libsmart/base/immortal.h"
 #include "openrt/rt_query.h"
 #include "openrt/rts.h"
 
@@ -160,12 +161,19 @@ bool captureMapped(RecordWriter& record, const CallValue* arguments, Context& co
     return true;
 }
 
+/// Under the recording's lock.
+std::map<const void*, uint64_t>& frameBufferKeys() {
+    static Immortal<std::map<const void*, uint64_t>> keys;
+    return keys.get();
+}
+
 } // namespace
 
 uint64_t keyOfFrameBuffer(const void* memory) {
-    static std::map<const void*, uint64_t> keys; // under the recording's lock
-    return keys.emplace(memory, keys.size() + 1).first->second;
+    return frameBufferKeys().emplace(memory, frameBufferKeys().size() + 1).first->second;
 }
+
+bool isFrameBuffer(const void* memory) { return frameBufferKeys().contains(memory); }
 
 ImageStores imageStoresOf(Context* context) {
     if (!context || context->recorder().insidePrimitive()) return {};

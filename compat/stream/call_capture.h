@@ -13,6 +13,8 @@ namespace smart::compat {
 
 /// A number for each place in memory that pictures go to, from 1.
 uint64_t keyOfFrameBuffer(const void* memory);
+/// Whether it has one: the library's own memory has not.
+bool isFrameBuffer(const void* memory);
 
 /// Where images lie for the calls of a context now.
 ImageStores imageStoresOf(Context* context);

@@ -104,15 +104,20 @@ struct Extent {
     uint64_t width = 0, rows = 0;
 };
 
-/// `unit`: the bytes whose order a machine has, to which short rows are aligned.
+/// From one row to the next. `unit`: the bytes whose order a machine has; rows of shorter ones
+/// are aligned.
+uint64_t rowBytes(uint64_t width, std::size_t pixelBytes, std::size_t unit,
+                  const ImageStore& store) {
+    const uint64_t bytes = (store.rowLength ? store.rowLength : width) * pixelBytes;
+    if (unit >= store.alignment || store.alignment > 8) return bytes;
+    return (bytes + store.alignment - 1) / store.alignment * store.alignment;
+}
+
 uint64_t imageBytes(const Extent& image, std::size_t pixelBytes, std::size_t unit,
                     const ImageStore& store) {
     if (image.width == 0 || image.rows == 0 || pixelBytes == 0) return 0;
-    const uint64_t rowPixels = store.rowLength ? store.rowLength : image.width;
-    uint64_t rowBytes = rowPixels * pixelBytes;
-    if (unit < store.alignment && store.alignment <= 8)
-        rowBytes = (rowBytes + store.alignment - 1) / store.alignment * store.alignment;
-    return sum(product(store.skipRows + image.rows - 1, rowBytes),
+    return sum(product(store.skipRows + image.rows - 1,
+                       rowBytes(image.width, pixelBytes, unit, store)),
                (store.skipPixels + image.width) * pixelBytes);
 }
 
@@ -237,6 +242,19 @@ std::size_t bytesOfFrameBufferPixel(RTenum format) {
 
 std::size_t bytesOfAuxBufferPixel(RTenum what) {
     return what == RT_NORMAL ? 12 : 4;
+}
+
+ImageRows rowsOfReadPixels(const CallSignature& call, const CallValue* arguments,
+                           const ImageStores& stores) {
+    const Sizes sizes(call, arguments);
+    const auto format = RTenum(sizes.named("format", 0)), type = RTenum(sizes.named("type", 0));
+    const Extent area = sizes.extent("width", "height");
+    const std::size_t pixel = bytesOfPixel(format, type), fields = bytesOfFields(type);
+    if (pixel == 0 || type == RT_BITMAP || area.width == 0 || area.rows == 0) return {};
+    const uint64_t stride = rowBytes(area.width, pixel,
+                                     fields ? fields : bytesOfPixelComponent(type), stores.pack);
+    return {stores.pack.skipRows * stride + stores.pack.skipPixels * pixel, area.width * pixel,
+            stride, area.rows};
 }
 
 uint64_t memoryBytes(const CallSignature& call, const CallParameter& parameter,

@@ -25,6 +25,14 @@ inline constexpr uint64_t kTooMuch = UINT64_MAX; ///< bytes that no memory has
 uint64_t memoryBytes(const CallSignature& call, const CallParameter& parameter,
                      const CallValue* arguments, const ImageStores& stores);
 
+/// Where the rows of a rectangle of pixels lie that rtReadPixels writes.
+struct ImageRows {
+    uint64_t offset = 0, rowBytes = 0, stride = 0, rows = 0;
+};
+/// None for bitmaps, and for formats and types that there are not.
+ImageRows rowsOfReadPixels(const CallSignature& call, const CallValue* arguments,
+                           const ImageStores& stores);
+
 /// The argument of the parameter with this name as a whole number.
 std::optional<int64_t> argumentNamed(const CallSignature& call, const char* name,
                                      const CallValue* arguments);

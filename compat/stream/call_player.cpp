@@ -31,6 +31,7 @@ struct Pending {
     RTenum error;
     bool isMade; ///< and not left out
     CallValue result;
+    uint64_t hash; ///< of pixels that were read
     std::vector<RTuint> names;
 };
 
@@ -90,11 +91,14 @@ class CallPlayer::Implementation {
 public:
     Implementation(PlayPolicy* policy, const PlayLimits& limits)
         : policy_(policy ? *policy : everything_), limits_(limits), budget_(limits.memory),
-          buffers_(budget_), threads_(limits.threads) {
+          buffers_(budget_), threads_(std::make_unique<PlayerThreads>(limits.threads)) {
         const std::lock_guard lock(listeners().mutex);
         listeners().players.insert(this);
     }
     ~Implementation() {
+        threads_.reset(); // and what was current there
+        // Frames in flight go to memory of the player's.
+        for (const RTcontext context : heard_) rtDestroyContext(context);
         const std::lock_guard lock(listeners().mutex);
         listeners().players.erase(this);
     }
@@ -129,7 +133,7 @@ private:
         case RecordKind::Call:
             reader_.readCall(record, record_);
             settle(head.thread, head.depth);
-            threads_.run(head.thread, [&] { playCall(head); });
+            threads_->run(head.thread, [&] { playCall(head); });
             break;
         case RecordKind::Outcome: compare(head, reader_.readOutcome(record)); break;
         case RecordKind::Picture: comparePicture(CallReader::readPicture(record)); break;
@@ -140,7 +144,7 @@ private:
     void playCall(const RecordHead& head) {
         const CallSignature& call = *record_.call;
         ++calls;
-        Pending pending{&call, calls, head.context, RT_NO_ERROR, false, {}, {}};
+        Pending pending{&call, calls, head.context, RT_NO_ERROR, false, {}, 0, {}};
         meetContext(head.context);
         if (policy_.plays(call)) make(head.context, pending);
         pending_[head.thread].push_back(std::move(pending));
@@ -173,7 +177,7 @@ private:
         PlayedArguments arguments;
         makeArguments(record_, context, names_, arena, arguments);
         if (arguments.lacksMemory) return;
-        PictureTargets& targets = targets_[context];
+        PictureTargets& targets = targets_[rtGetCurrentContext()];
         prepare(call, arguments, targets);
         if (record_.hasMapped) writeMapped(arguments);
         error_ = RT_NO_ERROR;
@@ -272,6 +276,11 @@ private:
             const auto n = v[0].as<RTsizei>();
             const auto* const names = v[1].as<const RTuint*>();
             if (n > 0 && names) pending.names.assign(names, names + n);
+        } else if (isCall(call, "rtReadPixels") && v[6].as<void*>()) {
+            const ImageRows rows = rowsOfReadPixels(call, v, imageStores());
+            pending.hash = hashOfRows(v[6].as<const std::byte*>() + rows.offset,
+                                      std::size_t(rows.rowBytes), std::size_t(rows.stride),
+                                      rows.rows);
         }
     }
 
@@ -324,6 +333,8 @@ private:
             names_.add(call.resultMeaning, pending.context, outcome.result.as<uint64_t>(),
                        pending.result.as<uint64_t>());
         }
+        if (outcome.hash != 0 && outcome.hash != pending.hash)
+            diverge(pending, "reads other pixels than recorded");
         if (outcome.names != pending.names) diverge(pending, "makes other names than recorded");
     }
 
@@ -362,13 +373,13 @@ private:
     CallReader reader_;
     CallRecord record_;
     PlayedNames names_;
-    std::map<uint32_t, PictureTargets> targets_;
+    std::map<RTcontext, PictureTargets> targets_;
     std::map<uint16_t, std::vector<Pending>> pending_; ///< by thread; each during the one before
     std::set<RTcontext> heard_;
     RTenum error_ = RT_NO_ERROR; ///< the first of the call under way
     bool isMade_ = false;
     bool hasFailed_ = false;
-    PlayerThreads threads_; // first to end: its threads use the others
+    std::unique_ptr<PlayerThreads> threads_;
 };
 
 CallPlayer::CallPlayer(PlayPolicy* policy, const PlayLimits& limits)

@@ -132,6 +132,7 @@ OutcomeRecord CallReader::readOutcome(std::span<const std::byte> record) const {
     outcome.call = &callOf(reader.take<uint16_t>());
     outcome.error = reader.take<RTenum>();
     outcome.result = reader.take<CallValue>();
+    outcome.hash = reader.take<uint64_t>();
     const auto count = reader.take<uint32_t>();
     const std::span<const std::byte> names = reader.takeBytes(uint64_t(count) * sizeof(RTuint));
     outcome.names.resize(count);

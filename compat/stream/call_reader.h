@@ -45,6 +45,7 @@ struct OutcomeRecord {
     const CallSignature* call = nullptr;
     RTenum error = 0;
     CallValue result;
+    uint64_t hash = 0; ///< of pixels that were read; 0: none
     std::vector<RTuint> names;
 };
 struct PictureRecord {

@@ -145,11 +145,12 @@ std::optional<PixelTarget> endedTarget(Recording& r, Context& context, const Cal
         return target;
     }
     const auto started = r.started.find(currentContextId());
-    const bool endsStarted = started != r.started.end() && !isCall(call, "rtFinish");
+    const bool waitsForAll = isCall(call, "rtFinish") || call.kind == CallKind::Read;
+    const bool endsStarted = started != r.started.end() && !waitsForAll;
     if (!isNew && !endsStarted) return std::nullopt;
     const PixelTarget target = endsStarted ? started->second : frames.latestTarget();
     if (endsStarted) r.started.erase(started);
-    const bool isAlone = isCall(call, "rtFinish") || !r.latest.contains(target.memory);
+    const bool isAlone = waitsForAll || !r.latest.contains(target.memory);
     if (!isAlone || !frames.isLastDone()) return std::nullopt;
     return target;
 }
@@ -203,7 +204,24 @@ void CallRecording::end(CallValue result) noexcept {
                       isCall(call_, "rtReadPixels") || isCall(call_, "rtGenTextures") ||
                       isCall(call_, "rtGenBuffers");
     if (told) recordOutcome(result);
-    if (call_.kind == CallKind::Frame) recordPicture(result);
+    if (call_.kind == CallKind::Frame || call_.kind == CallKind::Read) recordPicture(result);
+}
+
+uint64_t CallRecording::hashOfPixels() const {
+    Context* const context = currentContext();
+    if (!context || !isCall(call_, "rtReadPixels")) return 0;
+    const auto named = [&](const char* name) {
+        return argumentNamed(call_, name, arguments_).value_or(0);
+    };
+    const PixelTarget& picture = context->frames().latestTarget();
+    const auto* const to = static_cast<const std::byte*>(arguments_[6].as<void*>());
+    const ImageRows rows = rowsOfReadPixels(call_, arguments_, imageStoresOf(context));
+    const bool isInside = named("x") >= 0 && named("y") >= 0 &&
+                          named("x") + named("width") <= int64_t(picture.width) &&
+                          named("y") + named("height") <= int64_t(picture.height);
+    if (!to || !isInside || rows.rows == 0) return 0; // pixels outside stay what they were
+    return hashOfRows(to + rows.offset, std::size_t(rows.rowBytes), std::size_t(rows.stride),
+                      rows.rows);
 }
 
 void CallRecording::recordOutcome(CallValue result) const {
@@ -214,6 +232,7 @@ void CallRecording::recordOutcome(CallValue result) const {
         r.writer.put(call_.number);
         r.writer.put(failed ? errorToken(errors.since(errorsBefore_)) : RTenum(RT_NO_ERROR));
         r.writer.put(result);
+        r.writer.put(failed ? 0 : hashOfPixels());
         const bool makesNames = isCall(call_, "rtGenTextures") || isCall(call_, "rtGenBuffers");
         const auto n = arguments_[0].as<RTsizei>();
         const bool hasNames = makesNames && !failed && n > 0 && currentContext();
@@ -229,7 +248,7 @@ void CallRecording::recordPicture(CallValue result) const {
         if (!context || !sink.wantsPictures()) return;
         const std::optional<PixelTarget> target = endedTarget(r, *context, call_, arguments_, result,
                                                               submissionsBefore_);
-        if (!target) return;
+        if (!target || !isFrameBuffer(target->memory)) return;
         const std::size_t rowBytes = std::size_t(target->width) * bytesPerPixel(target->format);
         const std::size_t stride = target->stride ? target->stride : rowBytes;
         r.writer.begin(RecordKind::Picture, level_, numberOfThread(r), contextNumber());

@@ -27,6 +27,7 @@ public:
     void end(CallValue result) noexcept;
 
 private:
+    uint64_t hashOfPixels() const;
     void recordOutcome(CallValue result) const;
     void recordPicture(CallValue result) const;
 

@@ -19,20 +19,6 @@ bool isOfContext(Meaning meaning) {
     return meaning >= Meaning::Object && meaning <= Meaning::Scene;
 }
 
-ImageStores imageStores() {
-    const auto value = [](RTenum name) {
-        RTint number = 0;
-        rtGetIntegerv(name, &number);
-        return uint32_t(std::max(number, 0));
-    };
-    ImageStores stores;
-    stores.unpack = {value(RT_UNPACK_ALIGNMENT), value(RT_UNPACK_ROW_LENGTH),
-                     value(RT_UNPACK_SKIP_PIXELS), value(RT_UNPACK_SKIP_ROWS)};
-    stores.pack = {value(RT_PACK_ALIGNMENT), value(RT_PACK_ROW_LENGTH),
-                   value(RT_PACK_SKIP_PIXELS), value(RT_PACK_SKIP_ROWS)};
-    return stores;
-}
-
 bool isBound(RTenum binding) {
     RTint name = 0;
     rtGetIntegerv(binding, &name);
@@ -245,6 +231,20 @@ uint64_t PlayedNames::find(Meaning meaning, uint32_t context, uint64_t recorded)
 void PlayedNames::forgetProcess() {
     for (const Meaning meaning : {Meaning::Frame, Meaning::QueryScene, Meaning::Context})
         names_.erase(meaning);
+}
+
+ImageStores imageStores() {
+    const auto value = [](RTenum name) {
+        RTint number = 0;
+        rtGetIntegerv(name, &number);
+        return uint32_t(std::max(number, 0));
+    };
+    ImageStores stores;
+    stores.unpack = {value(RT_UNPACK_ALIGNMENT), value(RT_UNPACK_ROW_LENGTH),
+                     value(RT_UNPACK_SKIP_PIXELS), value(RT_UNPACK_SKIP_ROWS)};
+    stores.pack = {value(RT_PACK_ALIGNMENT), value(RT_PACK_ROW_LENGTH),
+                   value(RT_PACK_SKIP_PIXELS), value(RT_PACK_SKIP_ROWS)};
+    return stores;
 }
 
 void makeArguments(const CallRecord& record, uint32_t context, const PlayedNames& names,

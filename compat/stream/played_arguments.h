@@ -35,6 +35,9 @@ struct PlayedArguments {
     bool lacksMemory = false;
 };
 
+/// Where images lie for the calls of the current context.
+ImageStores imageStores();
+
 /// Fills all but what points to pictures, shader classes and functions, which stay NULL. Memory is
 /// as large as the call reads. Throws StreamError where a damaged stream has less.
 void makeArguments(const CallRecord& record, uint32_t context, const PlayedNames& names,

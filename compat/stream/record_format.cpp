@@ -28,7 +28,7 @@ uint32_t checksumOf(std::span<const std::byte> bytes) {
     uint64_t last = 0;
     if (at < bytes.size()) std::memcpy(&last, bytes.data() + at, bytes.size() - at);
     mix(last);
-    return uint32_t(hash ^ hash >> 32);
+    return uint32_t(hash);
 }
 
 uint64_t hashOfRows(const std::byte* first, std::size_t rowBytes, std::size_t stride,
@@ -81,12 +81,19 @@ std::string_view RecordReader::takeText() {
 }
 
 std::size_t bytesOfWholeRecords(std::span<const std::byte> stream) {
-    std::size_t whole = 0;
+    std::size_t whole = 0, last = 0;
     for (uint32_t bytes = 0; stream.size() - whole >= sizeof(RecordHead); whole += bytes) {
         std::memcpy(&bytes, stream.data() + whole, sizeof bytes);
         if (bytes < sizeof(RecordHead) || bytes > stream.size() - whole) break;
+        last = whole;
     }
-    return whole;
+    if (whole == stream.size() || whole == 0) return whole;
+    // The one under way at the end may have its head alone.
+    RecordHead head;
+    std::memcpy(&head, stream.data() + last, sizeof head);
+    const std::span<const std::byte> checked =
+        stream.subspan(last + kChecked, head.bytes - kChecked);
+    return checksumOf(checked) == head.checksum ? whole : last;
 }
 
 std::span<const std::byte> takeRecord(std::span<const std::byte>& stream, RecordHead& head) {

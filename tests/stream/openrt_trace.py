@@ -166,6 +166,8 @@ def main():
     parser.add_argument("--ports", nargs="*", default=[])
     global ARGUMENTS
     ARGUMENTS, rest = parser.parse_known_args()
+    for name in ("trace", "library", "program"):
+        setattr(ARGUMENTS, name, pathlib.Path(getattr(ARGUMENTS, name)).resolve())
     unittest.main(argv=sys.argv[:1] + rest)
 
 
