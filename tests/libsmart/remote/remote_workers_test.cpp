@@ -189,13 +189,14 @@ TEST(RemoteWorkers, LatencyDelaysAndChangesNothing) {
 }
 
 TEST(RemoteWorkers, SlowOnesDoNotHoldUpTheFrame) {
-    Company company(workers(1, "slow", 400000));
+    Company company(workers(1, "slow", 400000), Company::quick(), 1, slowly);
     ASSERT_TRUE(company.remote->waitForPeers(10s));
     for (uint64_t id = 1; id <= 4; ++id) {
         TestFrame frame(id, kWidth, kHeight);
         EXPECT_EQ(company.submit(frame)->wait(), FrameStatus::Done);
         EXPECT_TRUE(isComplete(frame));
     }
+    EXPECT_GT(company.remote->traffic().tilesReturned, 0u);
     EXPECT_EQ(company.remote->working(), 1u); // it may still be of use
 }
 
