@@ -395,6 +395,7 @@ void RemoteWorkers::giveBackStalled() {
         uint64_t ticket;
     };
     std::vector<Stalled> stalled;
+    std::vector<unsigned> late;
     const Clock::time_point limit = Clock::now() - options_.stallAfter;
     {
         const std::lock_guard lock(mutex_);
@@ -409,7 +410,11 @@ void RemoteWorkers::giveBackStalled() {
         if (!s.link->queue || found == tickets_.end()) continue;
         s.link->queue->returned(found->second.job);
         ++traffic_.tilesReturned;
+        const unsigned peer = found->second.peer;
+        if (!std::exchange(peers_[peer].isLate, true)) late.push_back(peer);
     }
+    for (const unsigned peer : late)
+        warn_(transport_.peerName(peer) + " does not answer in time: others get its tiles");
 }
 
 void RemoteWorkers::drop(unsigned peer, const std::string& reason, bool isError) noexcept {

@@ -50,8 +50,9 @@ struct QueueLink {
 /// not, frames are completed: its tiles go to others.
 class RemoteWorkers final : public RenderPeers {
 public:
-    /// Is told why a peer takes part no more; from any thread. Where something has to be changed
-    /// (another library, a plug-in that it lacks), that is an error of the next frame too.
+    /// Is told why a peer takes part no more, or that it was late for the first time; from any
+    /// thread. Where something has to be changed (another library, a plug-in that it lacks), that is
+    /// an error of the next frame too.
     using Warn = std::function<void(const std::string&)>;
 
     /// The transport has to outlive it.
@@ -80,6 +81,7 @@ private:
 
     struct Peer {
         bool greeted = false, gone = false;
+        bool isLate = false; ///< it has been once
         unsigned room = 0;  ///< tiles that it may have beyond those that it has
         uint64_t taken = 0; ///< bytes of calls and pictures
     };

@@ -11,9 +11,11 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 BIN, LIBRARY, SHADERS, MODEL = (pathlib.Path(a).resolve() for a in sys.argv[1:5])
@@ -48,6 +50,17 @@ def mpirun(*blocks):
         command += [str(part) for part in program]
     return subprocess.run(command, env=environment(), capture_output=True, timeout=SECONDS,
                           text=True)
+
+
+def kill_rank(mpirun_pid, rank):
+    """Kills the process of that rank; whether there was one."""
+    for task in pathlib.Path("/proc").glob(f"{mpirun_pid}/task/*/children"):
+        for child in task.read_text().split():
+            variables = pathlib.Path(f"/proc/{child}/environ").read_bytes().split(b"\0")
+            if f"OMPI_COMM_WORLD_RANK={rank}".encode() in variables:
+                os.kill(int(child), signal.SIGKILL)
+                return True
+    return False
 
 
 def alone(*program):
@@ -141,6 +154,39 @@ class Jobs(unittest.TestCase):
 
     def test_library_opened_at_run_time(self):
         self.compare(2, lambda folder: [BIN / "opened_library", LIBRARY, folder / "out"])
+
+    def test_frames_go_on_when_a_rank_is_killed(self):
+        """Where mpirun does not end the job then, as Open MPI 4.1 with this option."""
+        command = self.offscreen(BIN / "ports" / "gears")
+        together, single = self.folder / "together", self.folder / "alone"
+        frames = 60
+        for folder in (together, single):
+            folder.mkdir()
+        program = [str(part) for part in command(together)]
+        program[program.index("--rt-offscreen") + 1] = str(frames)
+        job = subprocess.Popen(["mpirun", "--enable-recovery", "-n", "3", *program],
+                               env=environment(OPENRT_THREADS="1"), text=True,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        try:
+            end = time.time() + SECONDS
+            while not (together / "frame005.png").exists() and job.poll() is None:
+                self.assertLess(time.time(), end)
+                time.sleep(0.01)
+            killed = kill_rank(job.pid, 2)
+            while not (together / f"frame{frames - 1:03}.png").exists() and job.poll() is None:
+                self.assertLess(time.time(), end)
+                time.sleep(0.1)
+            _, text = job.communicate(timeout=SECONDS)
+        finally:
+            job.kill()
+            job.wait()
+        if "unrecognized" in text or "unknown option" in text:
+            self.skipTest("mpirun has no --enable-recovery")
+        self.assertTrue(killed, text)
+        program[-1] = str(single / "frame%03d.png")
+        alone(*program)
+        self.assertEqual(self.files("together"), self.files("alone"))
+        self.assertEqual(len(self.files("alone")), frames)
 
     def test_ranks_of_different_instruction_sets(self):
         path = self.folder / "alone"

@@ -189,13 +189,14 @@ TEST(RemoteWorkers, LatencyDelaysAndChangesNothing) {
 }
 
 TEST(RemoteWorkers, SlowOnesDoNotHoldUpTheFrame) {
-    Company company(workers(1, "slow", 400000));
+    Company company(workers(1, "slow", 400000), Company::quick(), 1, slowly);
     ASSERT_TRUE(company.remote->waitForPeers(10s));
     for (uint64_t id = 1; id <= 4; ++id) {
         TestFrame frame(id, kWidth, kHeight);
         EXPECT_EQ(company.submit(frame)->wait(), FrameStatus::Done);
         EXPECT_TRUE(isComplete(frame));
     }
+    EXPECT_GT(company.remote->traffic().tilesReturned, 0u);
     EXPECT_EQ(company.remote->working(), 1u); // it may still be of use
 }
 
@@ -255,7 +256,7 @@ void disturb(const std::string& mode, int signal, int moments, Noticed& noticed)
         for (const QueuedFramePtr& frame : queued) ASSERT_EQ(frame->wait(), FrameStatus::Done);
         for (const TestFrame& frame : frames) ASSERT_TRUE(isComplete(frame)) << moment;
         disturber.join();
-        ASSERT_LE(company.warnings().size(), 1u);
+        ASSERT_LE(company.warnings().size(), company.processes.size() * 2); // late, and gone
         noticed.warnings += company.warnings().size();
         noticed.tiles += company.remote->traffic().tilesReturned;
     }
@@ -270,7 +271,7 @@ TEST(RemoteWorkers, KilledAtAnyMoment) {
 TEST(RemoteWorkers, StalledAtAnyMoment) {
     Noticed noticed;
     disturb("honest", SIGSTOP, 100, noticed);
-    EXPECT_EQ(noticed.warnings, 0u);
+    EXPECT_GT(noticed.warnings, 10u);
     EXPECT_GT(noticed.tiles, 10u);
 }
 
