@@ -65,8 +65,8 @@ private:
     uint32_t secondBits_, thirdBits_;
 };
 
-/// The rays of a packet as one after the other meets boxes: what TreeRays and Horizon are to rays of
-/// equal signs, lane by lane.
+/// The rays of a packet as one after the other meets boxes: what TreeRays and Horizon are to rays
+/// of equal signs, lane by lane.
 struct alignas(64) MixedRays {
     static constexpr int N = kPacketSize;
 

@@ -15,9 +15,9 @@
 namespace smart::SMART_ISA {
 
 /// Source: bool next(FlightPacket&, uint32_t& name), which gives a packet and its name, or none
-/// any more; void open(Search<N>&), which fills in what a query knows besides its limits;
-/// void done(name, const Search<16>&) of the packet, then done(name, lane, const Search<1>&) of those
-/// of its rays that went on alone.
+/// any more; void open(Search<N>&), which fills in what a query knows besides its limits; void
+/// done(name, const Search<16>&) of the packet, then done(name, lane, const Search<1>&) of those of
+/// its rays that went on alone.
 template <template <int> class Precision, HitMode M, class Source>
 class RaysInFlight {
 public:

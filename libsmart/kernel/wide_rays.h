@@ -46,8 +46,8 @@ private:
 inline constexpr uint32_t kPlanesOfNode = 6 * kWideChildren;
 static_assert(offsetof(WideNode, hi) == kPlanesOfNode / 2 * sizeof(float));
 
-/// The planes of a node's boxes that a ray passes first on an axis, by address: rays that take turns
-/// have signs that no branch could predict.
+/// The planes of a node's boxes that a ray passes first on an axis, by address: rays that take
+/// turns have signs that no branch could predict.
 HWY_INLINE const float* nearPlanes(const WideNode& node, int axis, bool negative) {
     return &node.lo[0][0] + uint32_t(axis * kWideChildren) + kPlanesOfNode / 2 * negative;
 }
