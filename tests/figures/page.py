@@ -96,7 +96,7 @@ def memory():
     if frames:
         text += [f"`many_frames`: {thousands(frames['frames'])} frames of changing scenes, "
                  f"{thousands(frames['early_kb'])} kB after a tenth of them, "
-                 f"{thousands(frames['late_kb'])} kB at the end.", ""]
+                 f"{thousands(frames['late_kb'])} kB at the end. {frames.get('note', '')}".rstrip(), ""]
     else:
         text += [f"`many_frames`: {NOT_RUN}.", ""]
     return text
