@@ -73,7 +73,8 @@ def memory():
                                ("failing_scenes", "failing_samples", "many_frames"))
     text = ["## Memory that runs out", "",
             "The n-th allocation fails, alone or with all that follow. A failure counts as absorbed "
-            "where no error was recorded and the picture was right all the same.", ""]
+            "where no error was recorded and the picture was right all the same; of sample programs also "
+            "where there was no context yet to record it in.", ""]
     if scenes:
         kind = "every allocation" if scenes["whole"] else "a selection of allocations"
         text += [f"`failing_scenes`, {kind}:", ""]
@@ -86,7 +87,8 @@ def memory():
         entries = samples["samples"]
         count = {key: sum(e[key] for e in entries) for key in ("failures", "recorded", "absorbed")}
         faults = sum(len(e["faults"]) for e in entries)
-        text += [f"`failing_samples`: {len(entries)} sample programs, "
+        kind = "from all over the run" if samples["whole"] else "one allocation each"
+        text += [f"`failing_samples`, {kind}: {len(entries)} sample programs, "
                  f"{thousands(count['failures'])} failures, {thousands(count['recorded'])} recorded, "
                  f"{thousands(count['absorbed'])} absorbed, {faults} faults.", ""]
     else:
@@ -94,7 +96,7 @@ def memory():
     if frames:
         text += [f"`many_frames`: {thousands(frames['frames'])} frames of changing scenes, "
                  f"{thousands(frames['early_kb'])} kB after a tenth of them, "
-                 f"{thousands(frames['late_kb'])} kB at the end.", ""]
+                 f"{thousands(frames['late_kb'])} kB at the end. {frames.get('note', '')}".rstrip(), ""]
     else:
         text += [f"`many_frames`: {NOT_RUN}.", ""]
     return text

@@ -17,9 +17,14 @@ void triangle(float x, float z) {
     rtEnd();
 }
 
+RTuint classes[8], classCount = 0;
+
 RTuint shaderOf(const char* name) {
-    rtGenNewShaderClass(name, nullptr);
+    classes[classCount++ % 8] = rtGenNewShaderClass(name, nullptr);
     return rtGenNewShader();
+}
+void forgetClasses() {
+    while (classCount > 0) rtRemoveShaderClass(classes[--classCount % 8]);
 }
 
 void checkTexture() {
@@ -81,6 +86,7 @@ void shadedObjects() {
     rtRemoveObject(outer);
     rtRemoveObject(inner);
     for (const RTuint shader : {light, environment, surface}) rtRemoveShader(shader);
+    forgetClasses();
 }
 
 void lists() {
@@ -177,6 +183,7 @@ void queuedFrames() {
         rtRemoveShader(camera);
     }
     rtWaitFrame(last);
+    forgetClasses();
     triangle(0, 0); // the picture that is looked at
     rtRender();
 }
