@@ -217,6 +217,13 @@ private:
         } else if (isCall(call, "rtSamples")) {
             if (v[0].as<RTuint>() > limits_.samples && v[0].as<RTuint>() <= 4096)
                 throw StreamError("more samples of a pixel than the player allows");
+        } else if (isCall(call, "rtBufferData")) {
+            const auto size = v[1].as<RTsizeiptr>();
+            if (size > 0 && uint64_t(size) > limits_.memory)
+                throw StreamError("a buffer is larger than the player allows");
+        } else if (isCall(call, "rtTexImage2D")) {
+            const auto side = [&](std::size_t i) { return uint64_t(std::max(v[i].as<RTint>(), 0)); };
+            PictureTargets::checkSize(side(3), side(4), limits_.pixels);
         } else if (isCall(call, "rtRegisterShaderClass")) {
             prepareClass(v[0]);
         } else if (isCall(call, "rtSetFrameCallback")) {

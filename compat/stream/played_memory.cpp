@@ -45,6 +45,7 @@ std::byte* CallArena::copy(std::span<const std::byte> bytes) {
 }
 
 std::byte* FrameBuffers::memory(uint64_t key, uint64_t bytes) {
+    if (key == 0) throw StreamError("a picture has no place to go to");
     Block& block = blocks_[key];
     bytes = std::max<uint64_t>(bytes, CallArena::kLeast);
     if (block.bytes < bytes) {
