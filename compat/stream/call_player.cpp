@@ -208,7 +208,7 @@ private:
             PictureTargets::checkSize(v[1].as<RTuint>(), v[2].as<RTuint>(), limits_.pixels);
             if (has(0))
                 v[0] = CallValue(targets.frameBuffer(buffers_, key(0), v[1].as<RTuint>(),
-                                                     v[2].as<RTuint>(), v[3].as<RTenum>()));
+                                                     v[2].as<RTuint>()));
         } else if (isCall(call, "rtSetAuxBuffer")) {
             if (has(1)) v[1] = CallValue(targets.auxBuffer(buffers_, key(1), v[0].as<RTenum>()));
         } else if (isCall(call, "rtViewport")) {
