@@ -68,9 +68,9 @@ private:
 /// The places that a context's pictures go to, as its calls set them.
 class PictureTargets {
 public:
-    /// Memory for rtSetFrameBuffer; nullptr where its size is one that the library refuses.
-    std::byte* frameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width, RTuint height,
-                           RTenum format) const;
+    /// Memory for rtSetFrameBuffer, whatever the format.
+    std::byte* frameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width,
+                           RTuint height) const;
     std::byte* auxBuffer(FrameBuffers& buffers, uint64_t key, RTenum what) const;
     /// These calls have been made; what is too small since is set anew.
     void setFrameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width, RTuint height,
@@ -81,7 +81,7 @@ public:
     static void checkSize(uint64_t width, uint64_t height, uint64_t most);
 
 private:
-    uint64_t frameBytes(RTuint width, RTuint height, RTenum format) const;
+    uint64_t frameBytes(RTuint width, RTuint height) const;
     void growAux(FrameBuffers& buffers);
 
     struct Aux {
