@@ -274,6 +274,9 @@ private:
         } else if (isCall(call, "rtSetAuxBuffer")) {
             targets.setAuxBuffer(v[0].as<RTenum>(), v[1].as<void*>() ? key(1) : 0,
                                  v[2].as<RTuint>());
+        } else if (isCall(call, "rtViewport")) {
+            const auto side = [&](std::size_t i) { return uint64_t(std::max(v[i].as<RTint>(), 0)); };
+            targets.setLargest(buffers_, (side(0) + side(2)) * (side(1) + side(3)));
         } else if (isCall(call, "rtInterleavedArrays")) {
             forgetInterleaved();
         } else if (isCall(call, "rtExit")) {

@@ -78,7 +78,7 @@ std::byte* PictureTargets::frameBuffer(FrameBuffers& buffers, uint64_t key, RTui
 }
 
 std::byte* PictureTargets::auxBuffer(FrameBuffers& buffers, uint64_t key, RTenum what) const {
-    return buffers.memory(key, uint64_t(width_) * height_ * bytesOfAuxBufferPixel(what));
+    return buffers.memory(key, auxPixels_ * bytesOfAuxBufferPixel(what));
 }
 
 void PictureTargets::setFrameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width,
@@ -87,6 +87,11 @@ void PictureTargets::setFrameBuffer(FrameBuffers& buffers, uint64_t key, RTuint 
     width_ = width;
     height_ = height;
     format_ = format;
+    setLargest(buffers, uint64_t(width) * height);
+}
+
+void PictureTargets::setLargest(FrameBuffers& buffers, uint64_t pixels) {
+    auxPixels_ = std::max(auxPixels_, pixels);
     growAux(buffers);
 }
 

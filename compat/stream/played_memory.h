@@ -75,6 +75,8 @@ public:
     /// These calls have been made; what is too small since is set anew.
     void setFrameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width, RTuint height,
                         RTenum format);
+    /// Pictures have as many pixels: those without a frame buffer fill the viewport.
+    void setLargest(FrameBuffers& buffers, uint64_t pixels);
     void setStride(FrameBuffers& buffers, RTsizei stride);
     void setAuxBuffer(RTenum what, uint64_t key, RTuint format);
     /// Throws StreamError for more pixels than there may be.
@@ -91,6 +93,7 @@ private:
     };
     uint64_t key_ = 0;
     RTuint width_ = 0, height_ = 0;
+    uint64_t auxPixels_ = 0;
     RTenum format_ = 0;
     RTsizei stride_ = 0;
     std::map<RTenum, Aux> aux_;
