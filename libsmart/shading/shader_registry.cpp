@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/shading/shader_registry.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "libsmart/base/error.h"
@@ -10,7 +11,8 @@ namespace smart {
 /// Shaders leave it from any thread; everything else happens on the context's.
 struct Shader::Registered {
     std::mutex mutex;
-    std::vector<Shader*> living; // by index; nullptr: gone
+    std::vector<Shader*> living; // by index; nullptr: free
+    std::size_t freeIndices = 0;
     bool changed = true;         // since `table` was made
     std::shared_ptr<const ShaderTable> table;
 };
@@ -18,14 +20,24 @@ struct Shader::Registered {
 Shader::Shader(std::shared_ptr<Registered> registered, ShaderClassPtr shaderClass)
     : registered_(std::move(registered)), class_(std::move(shaderClass)) {
     const std::lock_guard lock(registered_->mutex);
-    index_ = uint32_t(registered_->living.size());
-    registered_->living.push_back(this);
+    std::vector<Shader*>& living = registered_->living;
+    const auto place = registered_->freeIndices != 0
+                           ? std::find(living.begin(), living.end(), nullptr)
+                           : living.end();
+    index_ = uint32_t(place - living.begin());
+    if (place == living.end()) {
+        living.push_back(this);
+    } else {
+        *place = this;
+        --registered_->freeIndices;
+    }
     registered_->changed = true;
 }
 
 Shader::~Shader() {
     const std::lock_guard lock(registered_->mutex);
     registered_->living[index_] = nullptr;
+    ++registered_->freeIndices;
     registered_->changed = true;
 }
 

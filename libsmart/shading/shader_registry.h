@@ -14,8 +14,9 @@
 namespace smart {
 
 /// A shader of the application: a class and the parameter values set so far. Belongs to one
-/// context's thread, except that its last owner may be any thread, and may outlive the registry;
-/// its index is never used again after it is gone. Made by ShaderRegistry.
+/// context's thread, except that its last owner may be any thread, and may outlive the registry.
+/// Whatever refers to a shader by its index keeps it alive: once it is gone another one gets the
+/// index. Made by ShaderRegistry.
 class Shader {
 public:
     ~Shader();

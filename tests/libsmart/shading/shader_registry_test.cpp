@@ -89,9 +89,29 @@ TEST(ShaderRegistryTest, RemovedShadersLeaveTheTableButNotFrozenOnes) {
         const auto second = registry.freeze();
         EXPECT_EQ((*second)[index], nullptr);
         EXPECT_EQ(blockOf(*(*first)[index]).color, Color(0.5f));
-        EXPECT_NE(registry.create(countedClass())->index(), index);
     }
     EXPECT_EQ(living, before);
+}
+
+TEST(ShaderRegistryTest, IndicesOfRemovedShadersAreUsedAgain) {
+    ShaderRegistry registry;
+    const auto kept = registry.create(countedClass());
+    auto removed = registry.create(countedClass());
+    const auto last = registry.create(countedClass());
+    const uint32_t index = removed->index();
+    const auto old = registry.freeze();
+    const ShaderObject* const before = (*old)[index].get();
+    removed.reset();
+    for (int i = 0; i < 1000; ++i) {
+        const auto passing = registry.create(countedClass());
+        ASSERT_EQ(passing->index(), index);
+        ASSERT_NE((*registry.freeze())[index].get(), before);
+    }
+    EXPECT_EQ((*old)[index].get(), before);
+    EXPECT_EQ(registry.freeze()->size(), old->size());
+    EXPECT_NE(kept->index(), index);
+    EXPECT_EQ(registry.create(countedClass())->index(), index);
+    EXPECT_EQ(last->index(), index + 1);
 }
 
 TEST(ShaderRegistryTest, WrongValuesAreRefusedAndChangeNothing) {
