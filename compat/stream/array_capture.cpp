@@ -124,7 +124,8 @@ void captureArrays(RecordWriter& record, const CallSignature& call, const CallVa
     if (range.isEmpty() || !isLegal(range, context, isElement)) return;
     for (std::size_t i = 0; i < kArrayKinds; ++i) {
         const bool isRead = arrays.arrays[i].enabled && ArrayKind(i) != ArrayKind::Index;
-        if (isElement ? isRead : isInMemory(i)) attach(record, ArrayKind(i), arrays.arrays[i], range);
+        if (isElement ? isRead : isInMemory(i))
+            attach(record, ArrayKind(i), arrays.arrays[i], range);
     }
 }
 

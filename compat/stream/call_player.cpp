@@ -52,8 +52,12 @@ void RTAPIENTRY ignoreFlag(RTboolean) {}
 void RTAPIENTRY ignoreFlagOf(RTboolean, void*) {}
 void RTAPIENTRY ignoreVertex(void*) {}
 void RTAPIENTRY ignoreVertexOf(void*, void*) {}
-void RTAPIENTRY combine(RTdouble*, void**, RTfloat*, void** out) { *out = nullptr; }
-void RTAPIENTRY combineOf(RTdouble*, void**, RTfloat*, void** out, void*) { *out = nullptr; }
+void RTAPIENTRY combine(RTdouble*, void**, RTfloat*, void** out) {
+    *out = nullptr;
+}
+void RTAPIENTRY combineOf(RTdouble*, void**, RTfloat*, void** out, void*) {
+    *out = nullptr;
+}
 
 /// The players that errors may be told to: contexts may live longer.
 struct Listeners {
@@ -70,18 +74,27 @@ Listeners& listeners() {
 RTUfuncptr functionFor(RTenum which) {
     const auto as = [](auto* function) { return reinterpret_cast<RTUfuncptr>(function); };
     switch (which) {
-    case RTU_TESS_BEGIN:
-    case RTU_TESS_ERROR: return as(&ignoreToken);
-    case RTU_TESS_BEGIN_DATA:
-    case RTU_TESS_ERROR_DATA: return as(&ignoreTokenOf);
-    case RTU_TESS_EDGE_FLAG: return as(&ignoreFlag);
-    case RTU_TESS_EDGE_FLAG_DATA: return as(&ignoreFlagOf);
-    case RTU_TESS_VERTEX:
-    case RTU_TESS_END_DATA: return as(&ignoreVertex);
-    case RTU_TESS_VERTEX_DATA: return as(&ignoreVertexOf);
-    case RTU_TESS_COMBINE: return as(&combine);
-    case RTU_TESS_COMBINE_DATA: return as(&combineOf);
-    default: return &ignore;
+        case RTU_TESS_BEGIN:
+        case RTU_TESS_ERROR:
+            return as(&ignoreToken);
+        case RTU_TESS_BEGIN_DATA:
+        case RTU_TESS_ERROR_DATA:
+            return as(&ignoreTokenOf);
+        case RTU_TESS_EDGE_FLAG:
+            return as(&ignoreFlag);
+        case RTU_TESS_EDGE_FLAG_DATA:
+            return as(&ignoreFlagOf);
+        case RTU_TESS_VERTEX:
+        case RTU_TESS_END_DATA:
+            return as(&ignoreVertex);
+        case RTU_TESS_VERTEX_DATA:
+            return as(&ignoreVertexOf);
+        case RTU_TESS_COMBINE:
+            return as(&combine);
+        case RTU_TESS_COMBINE_DATA:
+            return as(&combineOf);
+        default:
+            return &ignore;
     }
 }
 
@@ -90,8 +103,11 @@ RTUfuncptr functionFor(RTenum which) {
 class CallPlayer::Implementation {
 public:
     Implementation(PlayPolicy* policy, const PlayLimits& limits)
-        : policy_(policy ? *policy : everything_), limits_(limits), budget_(limits.memory),
-          buffers_(budget_), threads_(std::make_unique<PlayerThreads>(limits.threads)) {
+        : policy_(policy ? *policy : everything_),
+          limits_(limits),
+          budget_(limits.memory),
+          buffers_(budget_),
+          threads_(std::make_unique<PlayerThreads>(limits.threads)) {
         const std::lock_guard lock(listeners().mutex);
         listeners().players.insert(this);
     }
@@ -130,14 +146,19 @@ private:
         }
         if (!reader_.isStarted()) throw StreamError("the recording does not begin at its start");
         switch (head.kind) {
-        case RecordKind::Call:
-            reader_.readCall(record, record_);
-            settle(head.thread, head.depth);
-            threads_->run(head.thread, [&] { playCall(head); });
-            break;
-        case RecordKind::Outcome: compare(head, reader_.readOutcome(record)); break;
-        case RecordKind::Picture: comparePicture(CallReader::readPicture(record)); break;
-        default: throw StreamError("a record of a kind that there is not");
+            case RecordKind::Call:
+                reader_.readCall(record, record_);
+                settle(head.thread, head.depth);
+                threads_->run(head.thread, [&] { playCall(head); });
+                break;
+            case RecordKind::Outcome:
+                compare(head, reader_.readOutcome(record));
+                break;
+            case RecordKind::Picture:
+                comparePicture(CallReader::readPicture(record));
+                break;
+            default:
+                throw StreamError("a record of a kind that there is not");
         }
     }
 
@@ -192,8 +213,7 @@ private:
 
     void makeCall(const CallSignature& call, PlayedArguments& arguments, CallArena& arena,
                   CallValue& result) {
-        if (isCall(call, "rtErrorCallback"))
-            return rtErrorCallback(&Implementation::hear, this);
+        if (isCall(call, "rtErrorCallback")) return rtErrorCallback(&Implementation::hear, this);
         if (isCall(call, "rtArrayElement") && !record_.arrays.empty())
             return playElement(record_, arena);
         if (!record_.arrays.empty()) return playDrawing(record_, arguments.values, arena);
@@ -202,17 +222,21 @@ private:
 
     void prepare(const CallSignature& call, PlayedArguments& a, const PictureTargets& targets) {
         CallValue* const v = a.values;
-        const auto has = [&](std::size_t i) { return record_.arguments[i].tag != PointerTag::Null; };
+        const auto has = [&](std::size_t i) {
+            return record_.arguments[i].tag != PointerTag::Null;
+        };
         const auto key = [&](std::size_t i) { return record_.arguments[i].value.as<uint64_t>(); };
         if (isCall(call, "rtSetFrameBuffer")) {
             PictureTargets::checkSize(v[1].as<RTuint>(), v[2].as<RTuint>(), limits_.pixels);
             if (has(0))
-                v[0] = CallValue(targets.frameBuffer(buffers_, key(0), v[1].as<RTuint>(),
-                                                     v[2].as<RTuint>()));
+                v[0] = CallValue(
+                    targets.frameBuffer(buffers_, key(0), v[1].as<RTuint>(), v[2].as<RTuint>()));
         } else if (isCall(call, "rtSetAuxBuffer")) {
             if (has(1)) v[1] = CallValue(targets.auxBuffer(buffers_, key(1), v[0].as<RTenum>()));
         } else if (isCall(call, "rtViewport")) {
-            const auto side = [&](std::size_t i) { return uint64_t(std::max(v[i].as<RTint>(), 0)); };
+            const auto side = [&](std::size_t i) {
+                return uint64_t(std::max(v[i].as<RTint>(), 0));
+            };
             PictureTargets::checkSize(side(0) + side(2), side(1) + side(3), limits_.pixels);
         } else if (isCall(call, "rtSamples")) {
             if (v[0].as<RTuint>() > limits_.samples && v[0].as<RTuint>() <= 4096)
@@ -222,7 +246,9 @@ private:
             if (size > 0 && uint64_t(size) > limits_.memory)
                 throw StreamError("a buffer is larger than the player allows");
         } else if (isCall(call, "rtTexImage2D")) {
-            const auto side = [&](std::size_t i) { return uint64_t(std::max(v[i].as<RTint>(), 0)); };
+            const auto side = [&](std::size_t i) {
+                return uint64_t(std::max(v[i].as<RTint>(), 0));
+            };
             PictureTargets::checkSize(side(3), side(4), limits_.pixels);
         } else if (isCall(call, "rtRegisterShaderClass")) {
             prepareClass(v[0]);
@@ -275,7 +301,9 @@ private:
             targets.setAuxBuffer(v[0].as<RTenum>(), v[1].as<void*>() ? key(1) : 0,
                                  v[2].as<RTuint>());
         } else if (isCall(call, "rtViewport")) {
-            const auto side = [&](std::size_t i) { return uint64_t(std::max(v[i].as<RTint>(), 0)); };
+            const auto side = [&](std::size_t i) {
+                return uint64_t(std::max(v[i].as<RTint>(), 0));
+            };
             targets.setLargest(buffers_, (side(0) + side(2)) * (side(1) + side(3)));
         } else if (isCall(call, "rtInterleavedArrays")) {
             forgetInterleaved();
@@ -288,9 +316,9 @@ private:
             if (n > 0 && names) pending.names.assign(names, names + n);
         } else if (isCall(call, "rtReadPixels") && v[6].as<void*>()) {
             const ImageRows rows = rowsOfReadPixels(call, v, imageStores());
-            pending.hash = hashOfRows(v[6].as<const std::byte*>() + rows.offset,
-                                      std::size_t(rows.rowBytes), std::size_t(rows.stride),
-                                      rows.rows);
+            pending.hash =
+                hashOfRows(v[6].as<const std::byte*>() + rows.offset, std::size_t(rows.rowBytes),
+                           std::size_t(rows.stride), rows.rows);
         }
     }
 
@@ -399,10 +427,20 @@ CallPlayer::~CallPlayer() = default;
 void CallPlayer::play(std::span<const std::byte> wholeRecords) {
     implementation_->play(wholeRecords);
 }
-void CallPlayer::finish() { implementation_->finish(); }
-uint64_t CallPlayer::calls() const { return implementation_->calls; }
-uint64_t CallPlayer::frames() const { return implementation_->frames; }
-uint64_t CallPlayer::unequalFrames() const { return implementation_->unequalFrames; }
-uint64_t CallPlayer::divergences() const { return implementation_->divergences; }
+void CallPlayer::finish() {
+    implementation_->finish();
+}
+uint64_t CallPlayer::calls() const {
+    return implementation_->calls;
+}
+uint64_t CallPlayer::frames() const {
+    return implementation_->frames;
+}
+uint64_t CallPlayer::unequalFrames() const {
+    return implementation_->unequalFrames;
+}
+uint64_t CallPlayer::divergences() const {
+    return implementation_->divergences;
+}
 
 } // namespace smart::compat

@@ -63,7 +63,8 @@ struct PlayLimits {
 
 /// Makes the calls of a stream, those of the recorded program's first thread on the thread that
 /// calls play(), those of each other thread on one of its own. The contexts that the stream made
-/// end with the player; it is the only user of the default one. No damage of a stream does more than throw StreamError.
+/// end with the player; it is the only user of the default one. No damage of a stream does more
+/// than throw StreamError.
 class CallPlayer {
 public:
     /// Without a policy all calls are made. The policy has to outlive the player.

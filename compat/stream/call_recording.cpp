@@ -109,12 +109,14 @@ bool isCall(const CallSignature& call, const char* name) {
 }
 
 RTenum tokenOf(PixelFormat format) {
-    constexpr RTenum kTokens[] = {RT_BGR_32,  RT_RGB_8,    RT_RGBA_8,
+    constexpr RTenum kTokens[] = {RT_BGR_32, RT_RGB_8,   RT_RGBA_8,
                                   RT_BGRA_8, RT_RGB_32F, RT_RGBA_32F};
     return kTokens[std::size_t(format)];
 }
 
-uint32_t contextNumber() noexcept { return uint32_t(currentContextId()); }
+uint32_t contextNumber() noexcept {
+    return uint32_t(currentContextId());
+}
 
 /// Where the picture lies that the call has waited for, and that nothing else is drawn over.
 std::optional<PixelTarget> endedTarget(Recording& r, Context& context, const CallSignature& call,
@@ -172,7 +174,9 @@ void setCallSink(CallSink* sink) noexcept {
     });
 }
 
-void abandonCallSink() noexcept { recordingState = kOff; }
+void abandonCallSink() noexcept {
+    recordingState = kOff;
+}
 
 CallRecording::CallRecording(uint16_t number, const CallValue* arguments) noexcept
     : call_(callTable()[number]), arguments_(arguments) {
@@ -246,8 +250,8 @@ void CallRecording::recordPicture(CallValue result) const {
     withSink([&](Recording& r, CallSink& sink) {
         Context* const context = currentContext();
         if (!context || !sink.wantsPictures()) return;
-        const std::optional<PixelTarget> target = endedTarget(r, *context, call_, arguments_, result,
-                                                              submissionsBefore_);
+        const std::optional<PixelTarget> target =
+            endedTarget(r, *context, call_, arguments_, result, submissionsBefore_);
         if (!target || !isFrameBuffer(target->memory)) return;
         const std::size_t rowBytes = std::size_t(target->width) * bytesPerPixel(target->format);
         const std::size_t stride = target->stride ? target->stride : rowBytes;

@@ -80,8 +80,9 @@ public:
         context_ = head.context;
         const CallSignature& call = *record.call;
         if (is(call, "rtRegisterShaderClass"))
-            throw StreamError("the recorded program has a shader class of its own: no source is "
-                              "written");
+            throw StreamError(
+                "the recorded program has a shader class of its own: no source is "
+                "written");
         const bool isTessellation = std::strncmp(call.name, "rtuTess", 7) == 0 ||
                                     std::strstr(call.name, "Tess") || is(call, "rtuBeginPolygon") ||
                                     is(call, "rtuNextContour") || is(call, "rtuEndPolygon");
@@ -97,8 +98,8 @@ public:
         startPart();
         out_ << "    check(" << names_.frameBuffer(record.key) << ", "
              << uint64_t(record.width) * bytesOfFrameBufferPixel(record.format) << ", "
-             << record.height << ", " << record.stride << ", UINT64_C(0x" << std::hex
-             << record.hash << std::dec << "));\n";
+             << record.height << ", " << record.stride << ", UINT64_C(0x" << std::hex << record.hash
+             << std::dec << "));\n";
     }
     void end() {
         if (part_ > 0) out_ << "}\n\n";
@@ -134,16 +135,16 @@ private:
         }
         // Of doubles' alignment.
         out_ << "        static const union { unsigned char bytes["
-             << std::max<std::size_t>(bytes.size(), 1) << "]; double align; } " << name
-             << " = {{" << (bytes.empty() ? "0" : textOfElements(ValueKind::UInt8, bytes, SIZE_MAX))
+             << std::max<std::size_t>(bytes.size(), 1) << "]; double align; } " << name << " = {{"
+             << (bytes.empty() ? "0" : textOfElements(ValueKind::UInt8, bytes, SIZE_MAX))
              << "}};\n";
         return name + ".bytes";
     }
 
     std::string number(const CallParameter& parameter, CallValue value) const {
         if (parameter.meaning >= Meaning::Object) {
-            const uint64_t name = parameter.kind == ValueKind::UInt32 ? value.as<uint32_t>()
-                                                                      : value.as<uint64_t>();
+            const uint64_t name =
+                parameter.kind == ValueKind::UInt32 ? value.as<uint32_t>() : value.as<uint64_t>();
             const std::string variable = names_.variable(parameter.meaning, context_, name);
             if (!variable.empty()) return variable;
             if (parameter.meaning == Meaning::Context)
@@ -168,36 +169,40 @@ private:
 
     std::string pointer(const CallParameter& parameter, const RecordedArgument& argument,
                         const CallRecord* record) {
-        const std::string offset =
-            std::string("(const void *)(uintptr_t)")
-                .append(std::to_string(argument.value.as<uint64_t>()))
-                .append("u");
+        const std::string offset = std::string("(const void *)(uintptr_t)")
+                                       .append(std::to_string(argument.value.as<uint64_t>()))
+                                       .append("u");
         switch (argument.tag) {
-        case PointerTag::Null: return "NULL";
-        case PointerTag::Unread:
-            return parameter.memory == Memory::Array || parameter.memory == Memory::Callback
-                       ? "NULL"
-                       : data(ValueKind::Void, std::vector<std::byte>(64));
-        case PointerTag::Number:
-            if (parameter.memory == Memory::FrameBuffer || parameter.memory == Memory::AuxBuffer)
-                return names_.frameBuffer(argument.value.as<uint64_t>());
-            if (parameter.memory == Memory::None) {
-                const std::string name = names_.variable(parameter.meaning, context_,
-                                                         argument.value.as<uint64_t>());
-                return name.empty() ? "NULL" : name;
+            case PointerTag::Null:
+                return "NULL";
+            case PointerTag::Unread:
+                return parameter.memory == Memory::Array || parameter.memory == Memory::Callback
+                           ? "NULL"
+                           : data(ValueKind::Void, std::vector<std::byte>(64));
+            case PointerTag::Number:
+                if (parameter.memory == Memory::FrameBuffer ||
+                    parameter.memory == Memory::AuxBuffer)
+                    return names_.frameBuffer(argument.value.as<uint64_t>());
+                if (parameter.memory == Memory::None) {
+                    const std::string name =
+                        names_.variable(parameter.meaning, context_, argument.value.as<uint64_t>());
+                    return name.empty() ? "NULL" : name;
+                }
+                return offset;
+            case PointerTag::Bytes: {
+                if (parameter.memory == Memory::String || parameter.memory == Memory::Arguments) {
+                    const std::string text = literalOf(argument.bytes);
+                    return std::string(parameter.element == ValueKind::UInt8 ? "(const RTubyte *)"
+                                                                             : "")
+                        .append(text);
+                }
+                if (parameter.meaning >= Meaning::Object) return ids(parameter, argument.bytes);
+                return data(parameter.element, argument.bytes);
             }
-            return offset;
-        case PointerTag::Bytes: {
-            if (parameter.memory == Memory::String || parameter.memory == Memory::Arguments) {
-                const std::string text = literalOf(argument.bytes);
-                return std::string(parameter.element == ValueKind::UInt8 ? "(const RTubyte *)" : "")
-                    .append(text);
-            }
-            if (parameter.meaning >= Meaning::Object) return ids(parameter, argument.bytes);
-            return data(parameter.element, argument.bytes);
-        }
-        case PointerTag::Output: return record ? output(parameter, *record) : "NULL";
-        case PointerTag::Pieces: return pieces(parameter, argument);
+            case PointerTag::Output:
+                return record ? output(parameter, *record) : "NULL";
+            case PointerTag::Pieces:
+                return pieces(parameter, argument);
         }
         return "NULL";
     }
@@ -245,27 +250,32 @@ private:
             text = value + (text.empty() || value.empty() ? "" : ", ") + text;
         }
         std::vector<std::string> arrays;
-        for (const RecordedArray& array : record.arrays) arrays.push_back(data(kindOf(array), array.bytes));
+        for (const RecordedArray& array : record.arrays)
+            arrays.push_back(data(kindOf(array), array.bytes));
         if (record.hasMapped) {
             const std::string mapped = data(ValueKind::Void, record.mapped);
             lines_.append("        write_mapped(")
                 .append(number(parameters[0], record.arguments[0].value))
-                .append(", ").append(mapped).append(", ")
-                .append(std::to_string(record.mapped.size())).append("u);\n");
+                .append(", ")
+                .append(mapped)
+                .append(", ")
+                .append(std::to_string(record.mapped.size()))
+                .append("u);\n");
         }
         if (!arrays.empty()) {
             out_ << "        RTint bound = 0;\n";
-            lines_ += "        rtGetIntegerv(RT_ARRAY_BUFFER_BINDING, &bound);\n"
-                      "        unbind();\n";
+            lines_ +=
+                "        rtGetIntegerv(RT_ARRAY_BUFFER_BINDING, &bound);\n"
+                "        unbind();\n";
         }
         out_ << lines_;
         for (std::size_t i = 0; i < arrays.size(); ++i)
-            out_ << setArray(record.arrays[i],
-                             std::string("(const void *)((uintptr_t)").append(arrays[i])
-                                 .append(" - ")
-                                 .append(std::to_string(record.arrays[i].first *
-                                                        record.arrays[i].step()))
-                                 .append("u)"));
+            out_ << setArray(record.arrays[i], std::string("(const void *)((uintptr_t)")
+                                                   .append(arrays[i])
+                                                   .append(" - ")
+                                                   .append(std::to_string(record.arrays[i].first *
+                                                                          record.arrays[i].step()))
+                                                   .append("u)"));
         if (!arrays.empty()) out_ << "        rtBindBuffer(RT_ARRAY_BUFFER, (RTuint)bound);\n";
         writeCall(record, text);
     }

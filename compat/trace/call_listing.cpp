@@ -20,25 +20,29 @@ constexpr std::size_t kShown = 16; ///< elements of an array
 
 std::string textOfPointer(const CallParameter& parameter, const RecordedArgument& argument) {
     switch (argument.tag) {
-    case PointerTag::Null: return "NULL";
-    case PointerTag::Unread: return "pointer";
-    case PointerTag::Output: return "result";
-    case PointerTag::Number: return std::string("#").append(std::to_string(argument.value.as<uint64_t>()));
-    case PointerTag::Bytes:
-        if (parameter.element == ValueKind::Int8 || parameter.memory == Memory::String ||
-            parameter.memory == Memory::ShaderDescriptor)
-            return literalOf(argument.bytes);
-        return std::string("{")
-            .append(textOfElements(parameter.element, argument.bytes, kShown))
-            .append("}");
-    case PointerTag::Pieces: {
-        std::string text = "{";
-        for (const RecordedArgument& piece : argument.pieces) {
-            if (text.size() > 1) text += ", ";
-            text += textOfPointer(parameter, piece);
+        case PointerTag::Null:
+            return "NULL";
+        case PointerTag::Unread:
+            return "pointer";
+        case PointerTag::Output:
+            return "result";
+        case PointerTag::Number:
+            return std::string("#").append(std::to_string(argument.value.as<uint64_t>()));
+        case PointerTag::Bytes:
+            if (parameter.element == ValueKind::Int8 || parameter.memory == Memory::String ||
+                parameter.memory == Memory::ShaderDescriptor)
+                return literalOf(argument.bytes);
+            return std::string("{")
+                .append(textOfElements(parameter.element, argument.bytes, kShown))
+                .append("}");
+        case PointerTag::Pieces: {
+            std::string text = "{";
+            for (const RecordedArgument& piece : argument.pieces) {
+                if (text.size() > 1) text += ", ";
+                text += textOfPointer(parameter, piece);
+            }
+            return text + "}";
         }
-        return text + "}";
-    }
     }
     return "?";
 }

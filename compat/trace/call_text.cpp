@@ -32,17 +32,22 @@ bool isWhole(ValueKind kind) {
 
 std::string textOf(ValueKind kind, CallValue value) {
     switch (kind) {
-    case ValueKind::Float: return floating(double(value.as<float>()), 9, "f");
-    case ValueKind::Double: return floating(value.as<double>(), 17, "");
-    case ValueKind::UInt64: return std::to_string(value.as<uint64_t>()) + "u";
-    case ValueKind::UInt32: return std::to_string(value.as<uint32_t>()) + "u";
-    case ValueKind::Int64:
-        if (value.as<int64_t>() == INT64_MIN) return "INT64_MIN";
-        break;
-    case ValueKind::Int32:
-        if (value.as<int32_t>() == INT32_MIN) return "INT32_MIN";
-        break;
-    default: break;
+        case ValueKind::Float:
+            return floating(double(value.as<float>()), 9, "f");
+        case ValueKind::Double:
+            return floating(value.as<double>(), 17, "");
+        case ValueKind::UInt64:
+            return std::to_string(value.as<uint64_t>()) + "u";
+        case ValueKind::UInt32:
+            return std::to_string(value.as<uint32_t>()) + "u";
+        case ValueKind::Int64:
+            if (value.as<int64_t>() == INT64_MIN) return "INT64_MIN";
+            break;
+        case ValueKind::Int32:
+            if (value.as<int32_t>() == INT32_MIN) return "INT32_MIN";
+            break;
+        default:
+            break;
     }
     return std::to_string(integerOf(kind, value));
 }
@@ -52,7 +57,9 @@ std::string tokenText(RTenum token) {
     return std::to_string(token);
 }
 
-std::string errorText(RTenum error) { return error == RT_NO_ERROR ? "RT_NO_ERROR" : tokenText(error); }
+std::string errorText(RTenum error) {
+    return error == RT_NO_ERROR ? "RT_NO_ERROR" : tokenText(error);
+}
 
 std::string textOf(const CallParameter& parameter, CallValue value) {
     if (parameter.meaning == Meaning::Token) return tokenText(value.as<RTenum>());
@@ -106,9 +113,9 @@ bool isExact(ValueKind element, std::span<const std::byte> bytes) {
 }
 
 const char* typeName(ValueKind kind) {
-    constexpr const char* kNames[] = {"void",   "RTbyte",  "RTubyte",  "RTshort", "RTushort",
-                                      "RTint",  "RTuint",  "RTint64",  "RTuint64", "RTfloat",
-                                      "RTdouble", "void*"};
+    constexpr const char* kNames[] = {"void",     "RTbyte",  "RTubyte",  "RTshort",
+                                      "RTushort", "RTint",   "RTuint",   "RTint64",
+                                      "RTuint64", "RTfloat", "RTdouble", "void*"};
     return kNames[std::size_t(kind)];
 }
 

@@ -35,7 +35,8 @@ int record(const std::string& file, const std::vector<std::string>& program) {
     if (child == 0) {
         setenv("OPENRT_TRACE", absolute.c_str(), 1);
         std::vector<char*> arguments;
-        for (const std::string& word : program) arguments.push_back(const_cast<char*>(word.c_str()));
+        for (const std::string& word : program)
+            arguments.push_back(const_cast<char*>(word.c_str()));
         arguments.push_back(nullptr);
         execvp(arguments[0], arguments.data());
         std::cerr << "openrt-trace: " << program[0] << ": " << std::strerror(errno) << '\n';
@@ -67,8 +68,7 @@ public:
         return id == RT_INVALID ? nullptr : rtGetShaderClassDescriptor(id);
     }
     void frame(const PlayedFrame& frame) override {
-        if (!frame.isEqual)
-            std::cout << "frame " << frame.number << " is not as recorded\n";
+        if (!frame.isEqual) std::cout << "frame " << frame.number << " is not as recorded\n";
         if (!output_.empty()) writePicture(nameOfPicture(output_, frame.number), frame);
     }
     void diverged(const Divergence& divergence) override {
@@ -112,39 +112,48 @@ int replay(const TraceInput& input, Replay& policy, uint64_t until) {
 }
 
 int run(int argc, char* argv[]) {
-    CLI::App app("Records what a program calls of OpenRT in a file, plays it again and compares "
-                 "each frame bit by bit, shows it, or writes it as a C program. The exit status "
-                 "is 1 if something is not as recorded, 2 for a wrong command line, 3 if a file "
-                 "can not be used.",
-                 "openrt-trace");
+    CLI::App app(
+        "Records what a program calls of OpenRT in a file, plays it again and compares "
+        "each frame bit by bit, shows it, or writes it as a C program. The exit status "
+        "is 1 if something is not as recorded, 2 for a wrong command line, 3 if a file "
+        "can not be used.",
+        "openrt-trace");
     app.set_version_flag("--version", "openrt-trace " OPENRT_VERSION_STRING);
     app.require_subcommand(1);
 
     std::string file = "openrt-trace.ort", output, shaders;
     std::vector<std::string> program;
     uint64_t until = 0;
-    CLI::App* const recording = app.add_subcommand("record", "runs a program and records its calls; "
-                                                             "the exit status is the program's");
-    recording->add_option("-o,--output", file, "where to")->type_name("FILE")->capture_default_str();
+    CLI::App* const recording = app.add_subcommand("record",
+                                                   "runs a program and records its calls; "
+                                                   "the exit status is the program's");
+    recording->add_option("-o,--output", file, "where to")
+        ->type_name("FILE")
+        ->capture_default_str();
     recording->add_option("PROGRAM", program, "the program and its arguments")->required();
     recording->positionals_at_end();
     recording->prefix_command(false);
-    CLI::App* const playing = app.add_subcommand("replay", "makes the calls again and compares each "
-                                                           "frame with the recorded one");
+    CLI::App* const playing = app.add_subcommand("replay",
+                                                 "makes the calls again and compares each "
+                                                 "frame with the recorded one");
     playing->add_option("FILE", file, "a recording")->required();
     playing->add_option("--output", output, "writes each frame, with its number for %d")
         ->type_name("frame%03d.png");
     playing->add_option("--until", until, "makes the first N calls only")->type_name("N");
-    playing->add_option("--shaders", shaders,
-                        "the shader library with the classes that the program registered itself")
+    playing
+        ->add_option("--shaders", shaders,
+                     "the shader library with the classes that the program registered itself")
         ->type_name("FILE");
-    CLI::App* const source = app.add_subcommand("source", "writes a C program that makes the calls");
+    CLI::App* const source =
+        app.add_subcommand("source", "writes a C program that makes the calls");
     source->add_option("FILE", file, "a recording")->required();
-    CLI::App* const info = app.add_subcommand("info", "tells how many calls, frames, errors and "
-                                                      "bytes there are");
+    CLI::App* const info = app.add_subcommand("info",
+                                              "tells how many calls, frames, errors and "
+                                              "bytes there are");
     info->add_option("FILE", file, "a recording")->required();
-    CLI::App* const dump = app.add_subcommand("dump", "a line for each call: number, thread, "
-                                                      "context, the call; and what came of it");
+    CLI::App* const dump = app.add_subcommand("dump",
+                                              "a line for each call: number, thread, "
+                                              "context, the call; and what came of it");
     dump->add_option("FILE", file, "a recording")->required();
     // All that follows PROGRAM is the program's.
     std::vector<std::string> words(argv + 1, argv + argc), own = words;

@@ -26,13 +26,14 @@ std::size_t ShadingData::bytes() const {
     return corners.bytes() + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
            heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
            heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
-           heldBytes(secondaryColors) + heldBytes(fogCoordinates) + heldBytes(vertexMaterials) + heldBytes(materials) + heldBytes(provoking) +
-           heldBytes(boundary) + heldBytes(keepAlive);
+           heldBytes(secondaryColors) + heldBytes(fogCoordinates) + heldBytes(vertexMaterials) +
+           heldBytes(materials) + heldBytes(provoking) + heldBytes(boundary) + heldBytes(keepAlive);
 }
 
 void ShadingData::shrink() {
-    shrinkAll(corners, normals, texCoords, colors, secondaryColors, fogCoordinates,
-              vertexMaterials, materials, provoking, boundary, slots, shaders, triangleBlocks, triangleData, vertexBlocks, vertexData, keepAlive);
+    shrinkAll(corners, normals, texCoords, colors, secondaryColors, fogCoordinates, vertexMaterials,
+              materials, provoking, boundary, slots, shaders, triangleBlocks, triangleData,
+              vertexBlocks, vertexData, keepAlive);
 }
 
 void TreeSizes::add(const KdTree& tree) {

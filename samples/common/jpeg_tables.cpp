@@ -42,7 +42,8 @@ void checkJpegTables(std::span<const uint8_t> bytes) {
         if (bytes.size() - at < 2) return;
         const std::size_t length = std::size_t(bytes[at]) << 8 | bytes[at + 1];
         if (length < 2 || length > bytes.size() - at) {
-            // A decoder has nothing to go on with behind a segment that is cut off, but may read it.
+            // A decoder has nothing to go on with behind a segment that is cut off, but may read
+            // it.
             if (marker == kHuffmanTables) throw LoadError("a JPEG picture with a damaged table");
             return;
         }

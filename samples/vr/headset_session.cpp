@@ -20,7 +20,7 @@ constexpr int64_t kSrgb = 0x8C43; // GL_SRGB8_ALPHA8
 
 void check(XrResult result, const char* what) {
     if (XR_SUCCEEDED(result)) return;
-    const char* reason = result == XR_ERROR_RUNTIME_UNAVAILABLE     ? "no OpenXR runtime is installed"
+    const char* reason = result == XR_ERROR_RUNTIME_UNAVAILABLE ? "no OpenXR runtime is installed"
                          : result == XR_ERROR_FORM_FACTOR_UNAVAILABLE ? "no display is connected"
                                                                       : nullptr;
     throw std::runtime_error(std::string(what) + " failed: " +
@@ -81,12 +81,12 @@ struct HeadsetSession::State {
         check(xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR",
                                     reinterpret_cast<PFN_xrVoidFunction*>(&requirementsOf)),
               "asking for OpenXR's OpenGL");
-        auto requirements = make<XrGraphicsRequirementsOpenGLKHR>(
-            XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
+        auto requirements =
+            make<XrGraphicsRequirementsOpenGLKHR>(XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
         check(requirementsOf(instance, system, &requirements), "asking for OpenXR's OpenGL");
 
-        auto graphics = make<XrGraphicsBindingOpenGLXlibKHR>(
-            XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR);
+        auto graphics =
+            make<XrGraphicsBindingOpenGLXlibKHR>(XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR);
         graphics.xDisplay = glXGetCurrentDisplay();
         graphics.glxContext = glXGetCurrentContext();
         graphics.glxDrawable = glXGetCurrentDrawable();
@@ -122,8 +122,8 @@ struct HeadsetSession::State {
 
     void makeSwapchain() {
         auto info = make<XrSwapchainCreateInfo>(XR_TYPE_SWAPCHAIN_CREATE_INFO);
-        info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT |
-                          XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT;
+        info.usageFlags =
+            XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT;
         info.format = kSrgb;
         info.sampleCount = info.faceCount = info.arraySize = info.mipCount = 1;
         info.width = size.width;
@@ -132,8 +132,8 @@ struct HeadsetSession::State {
         check(xrCreateSwapchain(session, &info, &made.handle), "making an OpenXR swapchain");
         uint32_t count = 0;
         check(xrEnumerateSwapchainImages(made.handle, 0, &count, nullptr), "asking for images");
-        made.images.resize(count, make<XrSwapchainImageOpenGLKHR>(
-                                      XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR));
+        made.images.resize(count,
+                           make<XrSwapchainImageOpenGLKHR>(XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR));
         check(xrEnumerateSwapchainImages(
                   made.handle, count, &count,
                   reinterpret_cast<XrSwapchainImageBaseHeader*>(made.images.data())),
@@ -191,9 +191,15 @@ HeadsetSession::HeadsetSession(const std::string& application) : state_(std::mak
 
 HeadsetSession::~HeadsetSession() = default;
 
-std::size_t HeadsetSession::eyes() const { return state_->swapchains.size(); }
-PictureSize HeadsetSession::pictureSize() const { return state_->size; }
-bool HeadsetSession::running() const { return state_->running; }
+std::size_t HeadsetSession::eyes() const {
+    return state_->swapchains.size();
+}
+PictureSize HeadsetSession::pictureSize() const {
+    return state_->size;
+}
+bool HeadsetSession::running() const {
+    return state_->running;
+}
 
 bool HeadsetSession::poll() {
     auto event = make<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
@@ -246,12 +252,12 @@ std::vector<HeadsetEye> HeadsetSession::beginFrame() {
 }
 
 void HeadsetSession::endFrame(const std::vector<HeadsetEye>& eyes,
-                         const std::vector<std::vector<uint8_t>>& pictures) {
+                              const std::vector<std::vector<uint8_t>>& pictures) {
     std::vector<XrCompositionLayerProjectionView> shown;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         state_->show(state_->swapchains[i], pictures[i]);
-        auto& view = shown.emplace_back(make<XrCompositionLayerProjectionView>(
-            XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW));
+        auto& view = shown.emplace_back(
+            make<XrCompositionLayerProjectionView>(XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW));
         view.pose = state_->views[i].pose;
         view.fov = state_->views[i].fov;
         view.subImage.swapchain = state_->swapchains[i].handle;

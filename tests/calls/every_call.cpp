@@ -35,8 +35,8 @@ const std::map<std::string, const char*> kMayActAndFail = {
 };
 
 /// Without a context these still do something, by their documentation.
-const std::set<std::string> kNeedNoContext = {"rtInit",        "rtExit",        "rtMakeCurrent",
-                                              "rtDestroyContext", "rtReleaseScene", "rtCancelFrame"};
+const std::set<std::string> kNeedNoContext = {
+    "rtInit", "rtExit", "rtMakeCurrent", "rtDestroyContext", "rtReleaseScene", "rtCancelFrame"};
 
 struct Result {
     long calls = 0, errors = 0;
@@ -45,7 +45,9 @@ struct Result {
 };
 
 unsigned errorsOfCall = 0;
-void countErrors(RTenum, const char*, const char*, void*) { ++errorsOfCall; }
+void countErrors(RTenum, const char*, const char*, void*) {
+    ++errorsOfCall;
+}
 
 struct Variant {
     std::string what;
@@ -62,7 +64,9 @@ std::vector<Variant> variantsOf(const ApiFunction& function, bool whole) {
         const std::vector<Value>& values = valuesOf(function.parameters[i].kind);
         const bool token = function.parameters[i].kind == Kind::Token;
         // Tokens are many, and most are equally wrong everywhere.
-        const std::size_t count = std::min<std::size_t>(values.size(), !whole ? 2 : token ? 12 : 64);
+        const std::size_t count = std::min<std::size_t>(values.size(), !whole  ? 2
+                                                                       : token ? 12
+                                                                               : 64);
         for (std::size_t k = 0; k < count; ++k) {
             std::size_t at = k;
             if (!whole || token) at = k == 0 ? values.size() - 1 : ++turn * 31 % values.size();
@@ -137,8 +141,7 @@ private:
 
 void Trials::tryCall(const ApiFunction& function, const Variant& variant, std::size_t placeNumber) {
     const Place& place = places()[placeNumber];
-    const std::string name =
-        std::string(function.name) + " (" + variant.what + ") " + place.name;
+    const std::string name = std::string(function.name) + " (" + variant.what + ") " + place.name;
     if (std::getenv("OPENRT_TELL_CALLS")) std::fprintf(stderr, "%s\n", name.c_str());
     FreshContext context;
     place.enter();
@@ -185,7 +188,9 @@ void Trials::runElsewhere() {
     }
     {
         FreshContext context;
-        std::thread([this] { callAll("on a thread without a context", {"rtExit", "rtInit"}); }).join();
+        std::thread([this] {
+            callAll("on a thread without a context", {"rtExit", "rtInit"});
+        }).join();
     }
     {
         FreshContext context;
@@ -206,11 +211,19 @@ void Trials::runElsewhere() {
 /// Calls that break the rules, each of which has to be found out.
 bool controlsHold() {
     const ApiFunction wrong[] = {
-        {"control: acts and fails", [](const Value*) { rtColor3f(1, 0, 0); rtEnable(0x9999); }, {}},
+        {"control: acts and fails",
+         [](const Value*) {
+             rtColor3f(1, 0, 0);
+             rtEnable(0x9999);
+         },
+         {}},
         {"control: rounds otherwise", [](const Value*) { std::fesetround(FE_DOWNWARD); }, {}},
         {"control: prints", [](const Value*) { std::puts("hello"); }, {}},
         {"control: acts without a context",
-         [](const Value*) { rtMakeCurrent(first(Kind::Context).as<RTcontext>()); rtPushMatrix(); },
+         [](const Value*) {
+             rtMakeCurrent(first(Kind::Context).as<RTcontext>());
+             rtPushMatrix();
+         },
          {}},
     };
     for (const ApiFunction& function : wrong) {
@@ -228,8 +241,9 @@ bool controlsHold() {
 void writeReport(const Result& result, const char* path, bool whole) {
     FILE* const file = std::fopen(path, "w");
     if (!file) return;
-    std::fprintf(file, "{\"whole\": %s, \"functions\": %zu, \"calls\": %ld, \"errors\": %ld, "
-                       "\"faults\": %zu,\n \"places\": {",
+    std::fprintf(file,
+                 "{\"whole\": %s, \"functions\": %zu, \"calls\": %ld, \"errors\": %ld, "
+                 "\"faults\": %zu,\n \"places\": {",
                  whole ? "true" : "false", apiFunctions().size(), result.calls, result.errors,
                  result.faults.size());
     const char* separator = "";
@@ -250,9 +264,12 @@ int main(int argc, char* argv[]) {
     const char* json = nullptr;
     const char* only = nullptr;
     for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--whole") == 0) whole = true;
-        else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc) json = argv[++i];
-        else only = argv[i];
+        if (std::strcmp(argv[i], "--whole") == 0)
+            whole = true;
+        else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
+            json = argv[++i];
+        else
+            only = argv[i];
     }
     // A file, so that it can be asked whether anything was written.
     char output[] = "/tmp/openrt_every_call_XXXXXX";

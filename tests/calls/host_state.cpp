@@ -20,9 +20,9 @@ extern char** environ;
 namespace openrt::test {
 namespace {
 
-const char* const kNames[] = {"rounding mode", "floating-point control", "signal mask",
-                              "signal handlers", "locale", "affinity", "current folder",
-                              "file mode mask", "standard output", "environment"};
+const char* const kNames[] = {
+    "rounding mode", "floating-point control", "signal mask",    "signal handlers", "locale",
+    "affinity",      "current folder",         "file mode mask", "standard output", "environment"};
 static_assert(sizeof kNames / sizeof kNames[0] == 10);
 
 template <class T>
@@ -109,7 +109,8 @@ HostState HostState::now() {
 std::string HostState::differences(const HostState& other) const {
     std::string names;
     for (std::size_t i = 0; i < std::size(kNames); ++i)
-        if (parts_[i] != other.parts_[i]) names += std::string(names.empty() ? "" : ", ") + kNames[i];
+        if (parts_[i] != other.parts_[i])
+            names += std::string(names.empty() ? "" : ", ") + kNames[i];
     return names;
 }
 

@@ -86,8 +86,8 @@ void Observation::addFixedFunction() {
         for (RTenum token = RT_AMBIENT; token <= RT_QUADRATIC_ATTENUATION; ++token)
             keep("light", light, token, rtGetLightfv);
     for (const RTenum face : {RT_FRONT, RT_BACK})
-        for (const RTenum token : {RT_AMBIENT, RT_DIFFUSE, RT_SPECULAR, RT_EMISSION, RT_SHININESS,
-                                   RT_REFLECTION})
+        for (const RTenum token :
+             {RT_AMBIENT, RT_DIFFUSE, RT_SPECULAR, RT_EMISSION, RT_SHININESS, RT_REFLECTION})
             keep("material", RTenum(face), RTenum(token), rtGetMaterialfv);
     for (const RTenum token : {RT_TEXTURE_ENV_MODE, RT_TEXTURE_ENV_COLOR, RT_COMBINE_RGB,
                                RT_COMBINE_ALPHA, RT_RGB_SCALE, RT_ALPHA_SCALE})
@@ -134,9 +134,13 @@ void Observation::addNames() {
         rtGetObjectiv(id, RT_OBJECT_SHADER_COUNT, shaders);
         const bool object = rtGetError() == RT_NO_ERROR;
         if (object && shaders[0] < 16) rtGetObjectiv(id, RT_OBJECT_SHADERS, shaders + 1);
-        const double values[] = {double(rtIsList(id)), double(rtIsTexture(id)),
-                                 double(rtIsBuffer(id)), double(object), double(shaders[0]),
-                                 double(shaders[1]), double(rtGetShaderClassDescriptor(id) != nullptr)};
+        const double values[] = {double(rtIsList(id)),
+                                 double(rtIsTexture(id)),
+                                 double(rtIsBuffer(id)),
+                                 double(object),
+                                 double(shaders[0]),
+                                 double(shaders[1]),
+                                 double(rtGetShaderClassDescriptor(id) != nullptr)};
         clearErrors();
         add("name " + std::to_string(id), values, std::size(values));
     }

@@ -83,64 +83,108 @@ std::vector<Value> make(Kind kind) {
     static const RTshaderclass empty = {};
     static RTshaderclass copied = {};
     switch (kind) {
-    case Kind::Token: {
-        std::vector<Value> values = numbers({0});
-        for (const RTenum token : apiTokens()) values.push_back(Value::of(int64_t(token)));
-        values.push_back(Value::of(0x9999));
-        return values;
-    }
-    case Kind::Bits: return numbers({1, 0, 2, 0x4000, 0xFFFFF, 0xFFFFFFFF, 0x80000000});
-    case Kind::Number: return floatingValues();
-    case Kind::Integer:
-        return numbers({1, 0, 2, 3, 5, 7, 16, 100, 255, 4096, -1, -2, 65536, INT_MAX, INT_MIN});
-    case Kind::Id: return numbers({1, 0, 2, 3, 4, 5, 6, 7, 0x7FFFFFFF, 0xFFFFFFFE, 0xFFFFFFFF});
-    case Kind::Count: return numbers({1, 0, 2, 3, 4, 5, 8, 16, -1, INT_MIN});
-    case Kind::Size: return numbers({1, 0, 2, 3, 4, 8, 12, 16, 64, 4096});
-    case Kind::Samples: return numbers({2, 0, 1, 4, 4097, 0xFFFFFFFF});
-    case Kind::Threads: return numbers({2, 1, 1025, 0xFFFFFFFF});
-    case Kind::Depth: return numbers({3, 0, 1, 2, 0xFFFFFFFF});
-    case Kind::Recursion: return numbers({3, 0, 1, 8, 257, 0xFFFFFFFF});
-    case Kind::Side: return numbers({16, 0, 1, 7, 33});
-    case Kind::Stride: return numbers({0, 64, 128, 512, 63, 3, -1, INT_MIN});
-    case Kind::Floats: return memories({floatArray, smallFloats, wildFloats, nullptr});
-    case Kind::Doubles: return memories({doubleArray, wildDoubles, nullptr});
-    case Kind::Ints: return memories({intArray, wildInts, nullptr});
-    case Kind::Ids: return memories({idArray, nullptr});
-    case Kind::Counts: return memories({countArray, nullptr});
-    case Kind::Image: return memories({zeroBytes, mixedBytes, wildFloats, nullptr});
-    case Kind::Indices: return memories({indexArray, zeroBytes, nullptr});
-    case Kind::Pointers: return memories({pointerArray, nullptr});
-    case Kind::Out: return memories({scratch, nullptr});
-    case Kind::Text:
-        return memories({"DiffuseShader", "color", "", "position", "radiance", "ConstantShader",
-                         "TexturedDiffuseShader", "TextureShader", "MirrorShader", "PointLight",
-                         "SpotLightShader", "DirectionalLight", "QuadLight", "SphereLight",
-                         "ConstantEnvironment", "ImageEnvironment", "PinholeCameraShader", "texture",
-                         "no such\n\xff\x01%s%n", nullptr});
-    case Kind::FileName: return memories({nullptr, "", "missing", "/dev/null", "/", "./a\xff.so"});
-    case Kind::Rays: return memories({rays, nullptr});
-    case Kind::RayStream:
-        stream = {floatArray, floatArray, floatArray, floatArray, wildFloats, floatArray, nullptr,
-                  wildFloats, 0};
-        return memories({&stream, nullptr});
-    case Kind::HitStream: {
-        auto* const floats = reinterpret_cast<float*>(scratch);
-        auto* const ids = reinterpret_cast<RTuint*>(scratch + 4096);
-        hits = {floats, floats + 64, nullptr, ids, ids + 64, nullptr, floats + 128, nullptr, nullptr};
-        return memories({&hits, nullptr});
-    }
-    case Kind::Descriptor:
-        copied.structSize = sizeof copied;
-        copied.name = "Copied";
-        return memories({&empty, &copied, nullptr});
-    case Kind::Context: return {Value::of(Made::Context), Value{}, Value::of(scratch)};
-    case Kind::Quadric: return {Value::of(Made::Quadric), Value{}};
-    case Kind::Tess: return {Value::of(Made::Tess), Value{}};
-    case Kind::Nurbs: return memories({nullptr});
-    case Kind::ErrorCallback:
-    case Kind::FrameCallback:
-    case Kind::Function: return memories({scratch, nullptr});
-    case Kind::kCount: break;
+        case Kind::Token: {
+            std::vector<Value> values = numbers({0});
+            for (const RTenum token : apiTokens()) values.push_back(Value::of(int64_t(token)));
+            values.push_back(Value::of(0x9999));
+            return values;
+        }
+        case Kind::Bits:
+            return numbers({1, 0, 2, 0x4000, 0xFFFFF, 0xFFFFFFFF, 0x80000000});
+        case Kind::Number:
+            return floatingValues();
+        case Kind::Integer:
+            return numbers({1, 0, 2, 3, 5, 7, 16, 100, 255, 4096, -1, -2, 65536, INT_MAX, INT_MIN});
+        case Kind::Id:
+            return numbers({1, 0, 2, 3, 4, 5, 6, 7, 0x7FFFFFFF, 0xFFFFFFFE, 0xFFFFFFFF});
+        case Kind::Count:
+            return numbers({1, 0, 2, 3, 4, 5, 8, 16, -1, INT_MIN});
+        case Kind::Size:
+            return numbers({1, 0, 2, 3, 4, 8, 12, 16, 64, 4096});
+        case Kind::Samples:
+            return numbers({2, 0, 1, 4, 4097, 0xFFFFFFFF});
+        case Kind::Threads:
+            return numbers({2, 1, 1025, 0xFFFFFFFF});
+        case Kind::Depth:
+            return numbers({3, 0, 1, 2, 0xFFFFFFFF});
+        case Kind::Recursion:
+            return numbers({3, 0, 1, 8, 257, 0xFFFFFFFF});
+        case Kind::Side:
+            return numbers({16, 0, 1, 7, 33});
+        case Kind::Stride:
+            return numbers({0, 64, 128, 512, 63, 3, -1, INT_MIN});
+        case Kind::Floats:
+            return memories({floatArray, smallFloats, wildFloats, nullptr});
+        case Kind::Doubles:
+            return memories({doubleArray, wildDoubles, nullptr});
+        case Kind::Ints:
+            return memories({intArray, wildInts, nullptr});
+        case Kind::Ids:
+            return memories({idArray, nullptr});
+        case Kind::Counts:
+            return memories({countArray, nullptr});
+        case Kind::Image:
+            return memories({zeroBytes, mixedBytes, wildFloats, nullptr});
+        case Kind::Indices:
+            return memories({indexArray, zeroBytes, nullptr});
+        case Kind::Pointers:
+            return memories({pointerArray, nullptr});
+        case Kind::Out:
+            return memories({scratch, nullptr});
+        case Kind::Text:
+            return memories({"DiffuseShader",
+                             "color",
+                             "",
+                             "position",
+                             "radiance",
+                             "ConstantShader",
+                             "TexturedDiffuseShader",
+                             "TextureShader",
+                             "MirrorShader",
+                             "PointLight",
+                             "SpotLightShader",
+                             "DirectionalLight",
+                             "QuadLight",
+                             "SphereLight",
+                             "ConstantEnvironment",
+                             "ImageEnvironment",
+                             "PinholeCameraShader",
+                             "texture",
+                             "no such\n\xff\x01%s%n",
+                             nullptr});
+        case Kind::FileName:
+            return memories({nullptr, "", "missing", "/dev/null", "/", "./a\xff.so"});
+        case Kind::Rays:
+            return memories({rays, nullptr});
+        case Kind::RayStream:
+            stream = {floatArray, floatArray, floatArray, floatArray, wildFloats,
+                      floatArray, nullptr,    wildFloats, 0};
+            return memories({&stream, nullptr});
+        case Kind::HitStream: {
+            auto* const floats = reinterpret_cast<float*>(scratch);
+            auto* const ids = reinterpret_cast<RTuint*>(scratch + 4096);
+            hits = {floats,  floats + 64,  nullptr, ids,    ids + 64,
+                    nullptr, floats + 128, nullptr, nullptr};
+            return memories({&hits, nullptr});
+        }
+        case Kind::Descriptor:
+            copied.structSize = sizeof copied;
+            copied.name = "Copied";
+            return memories({&empty, &copied, nullptr});
+        case Kind::Context:
+            return {Value::of(Made::Context), Value{}, Value::of(scratch)};
+        case Kind::Quadric:
+            return {Value::of(Made::Quadric), Value{}};
+        case Kind::Tess:
+            return {Value::of(Made::Tess), Value{}};
+        case Kind::Nurbs:
+            return memories({nullptr});
+        case Kind::ErrorCallback:
+        case Kind::FrameCallback:
+        case Kind::Function:
+            return memories({scratch, nullptr});
+        case Kind::kCount:
+            break;
     }
     return {Value{}};
 }
@@ -152,14 +196,20 @@ RTuint shaderOf(const char* className) {
 
 } // namespace
 
-RTuint Value::compiledScene() { return compiled; }
+RTuint Value::compiledScene() {
+    return compiled;
+}
 
 const void* Value::pointer() const {
     switch (made) {
-    case Made::Context: return context;
-    case Made::Quadric: return quadric;
-    case Made::Tess: return tess;
-    default: return p;
+        case Made::Context:
+            return context;
+        case Made::Quadric:
+            return quadric;
+        case Made::Tess:
+            return tess;
+        default:
+            return p;
     }
 }
 
@@ -190,7 +240,9 @@ int* startArguments(const Value&) {
     count = 3;
     return &count;
 }
-void errorCallback(RTenum, const char*, const char*, void*) { ++callbacks; }
+void errorCallback(RTenum, const char*, const char*, void*) {
+    ++callbacks;
+}
 void frameCallback(RTuint, RTenum, RTint, RTint, RTsizei, RTsizei, void*) {}
 }
 

@@ -15,10 +15,41 @@
 namespace openrt::test {
 
 enum class Kind {
-    Token, Bits, Number, Integer, Id, Count, Size, Samples, Threads, Depth, Recursion, Side, Stride, // numbers
-    Floats, Doubles, Ints, Ids, Counts, Image, Indices, Pointers, Out,                 // memory
-    Text, FileName, Rays, RayStream, HitStream, Descriptor, Context, Quadric, Tess, Nurbs,
-    ErrorCallback, FrameCallback, Function,
+    Token,
+    Bits,
+    Number,
+    Integer,
+    Id,
+    Count,
+    Size,
+    Samples,
+    Threads,
+    Depth,
+    Recursion,
+    Side,
+    Stride, // numbers
+    Floats,
+    Doubles,
+    Ints,
+    Ids,
+    Counts,
+    Image,
+    Indices,
+    Pointers,
+    Out, // memory
+    Text,
+    FileName,
+    Rays,
+    RayStream,
+    HitStream,
+    Descriptor,
+    Context,
+    Quadric,
+    Tess,
+    Nurbs,
+    ErrorCallback,
+    FrameCallback,
+    Function,
     kCount
 };
 
@@ -42,8 +73,10 @@ struct Value {
     template <class T>
     T to() const {
         if (made == Made::Scene) return T(compiledScene());
-        if constexpr (std::is_floating_point_v<T>) return T(d);
-        else return T(i);
+        if constexpr (std::is_floating_point_v<T>)
+            return T(d);
+        else
+            return T(i);
     }
     template <class T>
     T as() const {
@@ -57,7 +90,9 @@ private:
 
 /// Never empty; the first value of a kind is one that can be legal.
 const std::vector<Value>& valuesOf(Kind kind);
-inline Value first(Kind kind) { return valuesOf(kind).front(); }
+inline Value first(Kind kind) {
+    return valuesOf(kind).front();
+}
 
 struct ApiParameter {
     const char* name;
@@ -103,9 +138,17 @@ inline void given(RTfloat) {}
 inline void given(RTboolean) {}
 inline void given(const void*) {}
 inline void given(void*) {}
-inline void given(RTcontext context) { rtDestroyContext(context); }
-inline void given(RTUquadric* quadric) { rtuDeleteQuadric(quadric); }
-inline void given(RTUtesselator* tess) { rtuDeleteTess(tess); }
-inline void given(RTUnurbs* nurbs) { rtuDeleteNurbsRenderer(nurbs); }
+inline void given(RTcontext context) {
+    rtDestroyContext(context);
+}
+inline void given(RTUquadric* quadric) {
+    rtuDeleteQuadric(quadric);
+}
+inline void given(RTUtesselator* tess) {
+    rtuDeleteTess(tess);
+}
+inline void given(RTUnurbs* nurbs) {
+    rtuDeleteNurbsRenderer(nurbs);
+}
 
 } // namespace openrt::test

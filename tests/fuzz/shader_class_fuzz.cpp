@@ -13,7 +13,9 @@ namespace {
 constexpr RTuint kSize = 8, kParameters = 12;
 RTubyte pixels[kSize * kSize * 4];
 
-int construct(void*, void*, void*) { return 0; }
+int construct(void*, void*, void*) {
+    return 0;
+}
 int shade(const void*, RTSstate* state) {
     rtsResultColor(state, 1, 0.5f, 0);
     return 0;
@@ -40,7 +42,8 @@ RTuint smallNumber(Input& input) {
 }
 
 void run(Input& input) {
-    static const char* const names[] = {"", "a", "b", "color", "a long name of a parameter", nullptr};
+    static const char* const names[] = {"",     "a", "b", "color", "a long name of a parameter",
+                                        nullptr};
     RTSparameter parameters[kParameters];
     for (RTSparameter& parameter : parameters) {
         parameter.name = names[input.byte() % 6];

@@ -65,8 +65,7 @@ void repairChecksum(std::vector<std::byte>& stream, std::size_t start) {
     RecordHead head;
     std::memcpy(&head, stream.data() + start, sizeof head);
     constexpr std::size_t kChecked = offsetof(RecordHead, kind);
-    head.checksum =
-        checksumOf(std::span(stream).subspan(start + kChecked, head.bytes - kChecked));
+    head.checksum = checksumOf(std::span(stream).subspan(start + kChecked, head.bytes - kChecked));
     std::memcpy(stream.data() + start, &head, sizeof head);
 }
 
@@ -92,7 +91,8 @@ TEST(CallTable, HasEveryExportedFunction) {
         exported.insert((*i)[1]);
     ASSERT_GT(exported.size(), 600u);
     EXPECT_EQ(callTable().size(), exported.size());
-    for (const std::string& function : exported) EXPECT_NE(findCall(function.c_str()), nullptr) << function;
+    for (const std::string& function : exported)
+        EXPECT_NE(findCall(function.c_str()), nullptr) << function;
     EXPECT_EQ(findCall("rtNothing"), nullptr);
 }
 
@@ -120,16 +120,19 @@ TEST(CallStream, HoldsTheArgumentsOfEveryFunction) {
             const CallParameter& p = parameters[i];
             SCOPED_TRACE(std::string(call.call->name) + " " + p.name);
             if (p.kind != ValueKind::Pointer) {
-                const auto all = expected[i].as<uint64_t>(), got = call.arguments[i].value.as<uint64_t>();
+                const auto all = expected[i].as<uint64_t>(),
+                           got = call.arguments[i].value.as<uint64_t>();
                 EXPECT_EQ(std::memcmp(&all, &got, bytesOf(p.kind)), 0);
                 continue;
             }
             const uint64_t bytes = memoryBytes(*call.call, p, expected, {});
             const bool isGiven = expected[i].as<void*>() != nullptr;
-            EXPECT_EQ(call.arguments[i].tag != PointerTag::Null, isGiven || p.memory == Memory::None);
+            EXPECT_EQ(call.arguments[i].tag != PointerTag::Null,
+                      isGiven || p.memory == Memory::None);
             if (call.arguments[i].tag != PointerTag::Bytes || p.memory == Memory::String) continue;
             ASSERT_EQ(call.arguments[i].bytes.size(), bytes);
-            EXPECT_EQ(std::memcmp(call.arguments[i].bytes.data(), expected[i].as<void*>(), bytes), 0);
+            EXPECT_EQ(std::memcmp(call.arguments[i].bytes.data(), expected[i].as<void*>(), bytes),
+                      0);
         }
     }
     for (const CallSignature& call : callTable()) EXPECT_GE(seen[call.name], 1u) << call.name;

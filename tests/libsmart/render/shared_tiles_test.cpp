@@ -76,7 +76,10 @@ TEST(SharedTiles, WhatIsGivenBackIsHandedOutAgain) {
     }
     EXPECT_EQ(queued->progress(), 0.0f);
     FakeTracer tracer;
-    { Team team(2, queue, tracer); queued->wait(); }
+    {
+        Team team(2, queue, tracer);
+        queued->wait();
+    }
     EXPECT_TRUE(isComplete(frame));
     EXPECT_EQ(queued->statistics().primaryRays, 70u * 40u);
     EXPECT_EQ(queued->progress(), 1.0f);
@@ -120,7 +123,10 @@ TEST(SharedTiles, AnsweredLateBeforeAnybodyElseBegan) {
     queue.answered(slow, Answer(frame.frame->target, slow.tile, 1).tile());
     std::atomic<int> traced{0};
     FakeTracer tracer([&](const Frame&, const Tile&) { ++traced; });
-    { Team team(1, queue, tracer); EXPECT_EQ(queued->wait(), FrameStatus::Done); }
+    {
+        Team team(1, queue, tracer);
+        EXPECT_EQ(queued->wait(), FrameStatus::Done);
+    }
     EXPECT_TRUE(isComplete(frame));
     EXPECT_EQ(traced, 0);
 }
@@ -136,7 +142,10 @@ TEST(SharedTiles, CancelledFramesEndWithoutThem) {
     queue.returned(slow);
     std::atomic<int> traced{0};
     FakeTracer tracer([&](const Frame&, const Tile&) { ++traced; });
-    { Team team(1, queue, tracer); EXPECT_EQ(queued->wait(), FrameStatus::Cancelled); }
+    {
+        Team team(1, queue, tracer);
+        EXPECT_EQ(queued->wait(), FrameStatus::Cancelled);
+    }
     EXPECT_EQ(traced, 0);
     const std::vector<float> before = frame.memory;
     queue.answered(slow, Answer(frame.frame->target, slow.tile, 1).tile());
@@ -168,8 +177,8 @@ TEST(SharedTiles, AnyOrderOfAnswersAndReturns) {
                 for (;;) {
                     TileJob job = remoteJob();
                     if (!queue.next(job)) break;
-                    auto answer = std::make_unique<Answer>(job.frame->target, job.tile,
-                                                           job.frame->id);
+                    auto answer =
+                        std::make_unique<Answer>(job.frame->target, job.tile, job.frame->id);
                     if (random() % 3 == 0) {
                         queue.answered(job, answer->tile());
                         continue;
@@ -239,7 +248,8 @@ TEST(StoredTile, IsPlacedAsIfItWereWritten) {
             if (wanted[1]) to[k].aux.normal = normal[k].data();
             if (wanted[2]) to[k].aux.objectId = id[k].data();
         }
-        const Tile tile{uint32_t(random()) % target.width, uint32_t(random()) % target.height, 1, 1};
+        const Tile tile{uint32_t(random()) % target.width, uint32_t(random()) % target.height, 1,
+                        1};
         Tile large = tile;
         large.width = std::min(32u, target.width - tile.x);
         large.height = std::min(32u, target.height - tile.y);
