@@ -17,8 +17,8 @@ using AffineColumns = double[4][3];
 /// False where the matrix is singular or not finite, or the inverse is. For any scale; slow.
 bool invertAffine(const AffineColumns& matrix, AffineRows& inverse);
 bool isInvertible(const AffineColumns& matrix);
-/// Whether invertUsual() gives what invertAffine() does, to the bit, for an invertible matrix:
-/// where nothing in between overflows or is subnormal.
+/// Whether invertUsual() gives what invertAffine() does, to the bit, for an invertible matrix: where
+/// nothing in between overflows or is subnormal.
 bool isUsual(const AffineColumns& matrix);
 
 /// Cofactors over the determinant. Each row of the inverse has the cross product of two columns.
@@ -29,9 +29,10 @@ static inline void invertUsual(const AffineColumns& m, AffineRows& inverse) {
     Real4 cofactor[3];
     for (int row = 0; row < 3; ++row) {
         const Real4 a = column[(row + 1) % 3], b = column[(row + 2) % 3];
-        cofactor[row] =
-            __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
-            __builtin_shufflevector(b, b, 1, 2, 0, 3) * __builtin_shufflevector(a, a, 2, 0, 1, 3);
+        cofactor[row] = __builtin_shufflevector(a, a, 1, 2, 0, 3) *
+                            __builtin_shufflevector(b, b, 2, 0, 1, 3) -
+                        __builtin_shufflevector(b, b, 1, 2, 0, 3) *
+                            __builtin_shufflevector(a, a, 2, 0, 1, 3);
     }
     const double determinant =
         m[0][0] * cofactor[0][0] + m[1][0] * cofactor[1][0] + m[2][0] * cofactor[2][0];
@@ -81,7 +82,8 @@ static inline InverseBound boundInverse(const AffineColumns& matrix, const Affin
         if (offset > bound.offset) bound.offset = offset;
         if (rest > residual) residual = rest;
     }
-    bound.relative = residual < 0.5 ? residual / (1 - residual) * (1 + 0x1p-50) : __builtin_inf();
+    bound.relative =
+        residual < 0.5 ? residual / (1 - residual) * (1 + 0x1p-50) : __builtin_inf();
     return bound;
 }
 

@@ -51,8 +51,8 @@ struct QueueLink {
 class RemoteWorkers final : public RenderPeers {
 public:
     /// Is told why a peer takes part no more, or that it was late for the first time; from any
-    /// thread. Where something has to be changed (another library, a plug-in that it lacks), that
-    /// is an error of the next frame too.
+    /// thread. Where something has to be changed (another library, a plug-in that it lacks), that is
+    /// an error of the next frame too.
     using Warn = std::function<void(const std::string&)>;
 
     /// The transport has to outlive it.
@@ -82,8 +82,8 @@ private:
     struct Peer {
         bool greeted = false, gone = false;
         bool isLate = false; ///< it has been once
-        unsigned room = 0;   ///< tiles that it may have beyond those that it has
-        uint64_t taken = 0;  ///< bytes of calls and pictures
+        unsigned room = 0;  ///< tiles that it may have beyond those that it has
+        uint64_t taken = 0; ///< bytes of calls and pictures
     };
     struct Ticket {
         TileJob job;
@@ -140,7 +140,7 @@ private:
     std::unordered_map<uint64_t, Ticket> tickets_;
     uint64_t lastTicket_ = 0;
     std::map<FrameKey, SharedFrame> frames_;
-    std::map<FrameKey, std::vector<EarlyPeer>> early_;     ///< of frames that are still to come
+    std::map<FrameKey, std::vector<EarlyPeer>> early_; ///< of frames that are still to come
     std::map<uint64_t, uint64_t> lastFrame_, lastPicture_; ///< numbers by renderer
     RemoteTraffic traffic_;
     std::string error_; ///< to be told with the next frame; empty: none
