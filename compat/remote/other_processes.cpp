@@ -58,7 +58,7 @@ private:
     RemoteWorkers& workers_;
 };
 
-/// Of this process; what it holds ends in leave() or never.
+/// Of this process. Never ends: threads may still have contexts when it does.
 struct Job {
     pid_t process = 0; ///< and not its children's
     MpiRanks* ranks = nullptr;
@@ -96,7 +96,6 @@ void leave() {
     report(j);
     j.workers->leave();
     if (!j.ranks->finish(kEnd)) warn("some ranks do not end");
-    if (!onWorkerThread()) j.workers.reset(); // else frames may still be under way
 }
 
 void lead(Job& j) {

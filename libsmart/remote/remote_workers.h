@@ -64,7 +64,7 @@ public:
     void addCall(std::span<const std::byte> record);
     /// Sends what addCall() kept together.
     void flushCalls();
-    /// Tells all peers that there is no more to do. Nothing may follow.
+    /// Tells all peers that there is no more to do. Nothing may follow, but renderers may end later.
     void leave() noexcept;
 
     std::unique_ptr<Participation> join(FrameQueue& queue, uint64_t renderer) override;
