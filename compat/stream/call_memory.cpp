@@ -102,6 +102,7 @@ std::size_t bytesOfPixelComponent(RTenum type) {
 
 struct Extent {
     uint64_t width = 0, rows = 0;
+    bool isTooLarge = false; ///< for any image
 };
 
 /// From one row to the next. `unit`: the bytes whose order a machine has; rows of shorter ones
@@ -115,6 +116,7 @@ uint64_t rowBytes(uint64_t width, std::size_t pixelBytes, std::size_t unit,
 
 uint64_t imageBytes(const Extent& image, std::size_t pixelBytes, std::size_t unit,
                     const ImageStore& store) {
+    if (image.isTooLarge) return kTooMuch;
     if (image.width == 0 || image.rows == 0 || pixelBytes == 0) return 0;
     return sum(product(store.skipRows + image.rows - 1,
                        rowBytes(image.width, pixelBytes, unit, store)),
@@ -122,6 +124,7 @@ uint64_t imageBytes(const Extent& image, std::size_t pixelBytes, std::size_t uni
 }
 
 uint64_t bitmapBytes(const Extent& image, const ImageStore& store) {
+    if (image.isTooLarge) return kTooMuch;
     if (image.width == 0 || image.rows == 0 || store.alignment == 0) return 0;
     const uint64_t rowBits = store.rowLength ? store.rowLength : image.width;
     const uint64_t groups = (rowBits + 8 * store.alignment - 1) / (8 * store.alignment);
@@ -137,11 +140,12 @@ public:
     int64_t named(const char* name, int64_t otherwise) const {
         return argumentNamed(call_, name, arguments_).value_or(otherwise);
     }
-    /// Empty where a side is negative, or larger than any image.
+    /// Empty where a side is negative.
     Extent extent(const char* width, const char* height) const {
         constexpr int64_t kMaxSide = 1 << 24;
         const int64_t w = named(width, 0), h = named(height, 1), d = named("depth", 1);
-        if (w < 0 || h < 0 || d < 0 || std::max({w, h, d}) > kMaxSide) return {};
+        if (w < 0 || h < 0 || d < 0) return {};
+        if (std::max({w, h, d}) > kMaxSide) return {0, 0, true};
         return {uint64_t(w), uint64_t(h) * uint64_t(d)};
     }
     uint64_t image(const Extent& area, const char* typeName, const ImageStore& store) const {

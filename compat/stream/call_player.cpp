@@ -208,7 +208,7 @@ private:
             PictureTargets::checkSize(v[1].as<RTuint>(), v[2].as<RTuint>(), limits_.pixels);
             if (has(0))
                 v[0] = CallValue(targets.frameBuffer(buffers_, key(0), v[1].as<RTuint>(),
-                                                     v[2].as<RTuint>(), v[3].as<RTenum>()));
+                                                     v[2].as<RTuint>()));
         } else if (isCall(call, "rtSetAuxBuffer")) {
             if (has(1)) v[1] = CallValue(targets.auxBuffer(buffers_, key(1), v[0].as<RTenum>()));
         } else if (isCall(call, "rtViewport")) {
@@ -217,6 +217,13 @@ private:
         } else if (isCall(call, "rtSamples")) {
             if (v[0].as<RTuint>() > limits_.samples && v[0].as<RTuint>() <= 4096)
                 throw StreamError("more samples of a pixel than the player allows");
+        } else if (isCall(call, "rtBufferData")) {
+            const auto size = v[1].as<RTsizeiptr>();
+            if (size > 0 && uint64_t(size) > limits_.memory)
+                throw StreamError("a buffer is larger than the player allows");
+        } else if (isCall(call, "rtTexImage2D")) {
+            const auto side = [&](std::size_t i) { return uint64_t(std::max(v[i].as<RTint>(), 0)); };
+            PictureTargets::checkSize(side(3), side(4), limits_.pixels);
         } else if (isCall(call, "rtRegisterShaderClass")) {
             prepareClass(v[0]);
         } else if (isCall(call, "rtSetFrameCallback")) {
@@ -267,6 +274,9 @@ private:
         } else if (isCall(call, "rtSetAuxBuffer")) {
             targets.setAuxBuffer(v[0].as<RTenum>(), v[1].as<void*>() ? key(1) : 0,
                                  v[2].as<RTuint>());
+        } else if (isCall(call, "rtViewport")) {
+            const auto side = [&](std::size_t i) { return uint64_t(std::max(v[i].as<RTint>(), 0)); };
+            targets.setLargest(buffers_, (side(0) + side(2)) * (side(1) + side(3)));
         } else if (isCall(call, "rtInterleavedArrays")) {
             forgetInterleaved();
         } else if (isCall(call, "rtExit")) {

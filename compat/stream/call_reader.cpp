@@ -54,6 +54,9 @@ RecordedArray readArray(RecordReader& reader) {
     if (!arrayNames(array.kind) || bytesOfComponent(array.type) == 0 || array.size < 1 ||
         array.size > 4)
         throw StreamError("a vertex array of a kind that there is not");
+    const std::string immediate = arrayNames(array.kind)->immediate;
+    if ((immediate == "rtNormal" || immediate == "rtSecondaryColor") && array.size != 3)
+        throw StreamError("a vertex array of a size that there is not");
     constexpr uint64_t kMost = uint64_t(1) << 33; // indices have 32 bits
     const uint64_t last = array.elements - 1;
     if (array.elements == 0 || array.elements > kMost || array.first > kMost ||

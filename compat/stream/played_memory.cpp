@@ -45,6 +45,7 @@ std::byte* CallArena::copy(std::span<const std::byte> bytes) {
 }
 
 std::byte* FrameBuffers::memory(uint64_t key, uint64_t bytes) {
+    if (key == 0) throw StreamError("a picture has no place to go to");
     Block& block = blocks_[key];
     bytes = std::max<uint64_t>(bytes, CallArena::kLeast);
     if (block.bytes < bytes) {
@@ -66,18 +67,18 @@ void PictureTargets::checkSize(uint64_t width, uint64_t height, uint64_t most) {
         throw StreamError("a picture has more pixels than the player allows");
 }
 
-uint64_t PictureTargets::frameBytes(RTuint width, RTuint height, RTenum format) const {
-    const uint64_t row = uint64_t(width) * bytesOfFrameBufferPixel(format);
+uint64_t PictureTargets::frameBytes(RTuint width, RTuint height) const {
+    const uint64_t row = uint64_t(width) * 4 * sizeof(float); // no format has larger pixels
     return std::max(row, uint64_t(std::max(stride_, 0))) * height;
 }
 
 std::byte* PictureTargets::frameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width,
-                                       RTuint height, RTenum format) const {
-    return buffers.memory(key, frameBytes(width, height, format));
+                                       RTuint height) const {
+    return buffers.memory(key, frameBytes(width, height));
 }
 
 std::byte* PictureTargets::auxBuffer(FrameBuffers& buffers, uint64_t key, RTenum what) const {
-    return buffers.memory(key, uint64_t(width_) * height_ * bytesOfAuxBufferPixel(what));
+    return buffers.memory(key, auxPixels_ * bytesOfAuxBufferPixel(what));
 }
 
 void PictureTargets::setFrameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width,
@@ -86,6 +87,11 @@ void PictureTargets::setFrameBuffer(FrameBuffers& buffers, uint64_t key, RTuint 
     width_ = width;
     height_ = height;
     format_ = format;
+    setLargest(buffers, uint64_t(width) * height);
+}
+
+void PictureTargets::setLargest(FrameBuffers& buffers, uint64_t pixels) {
+    auxPixels_ = std::max(auxPixels_, pixels);
     growAux(buffers);
 }
 
@@ -93,7 +99,7 @@ void PictureTargets::setStride(FrameBuffers& buffers, RTsizei stride) {
     stride_ = stride;
     if (key_ != 0)
         rtSetFrameBuffer(reinterpret_cast<RTubyte*>(
-                             frameBuffer(buffers, key_, width_, height_, format_)),
+                             frameBuffer(buffers, key_, width_, height_)),
                          width_, height_, format_);
 }
 

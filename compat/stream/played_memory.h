@@ -68,20 +68,22 @@ private:
 /// The places that a context's pictures go to, as its calls set them.
 class PictureTargets {
 public:
-    /// Memory for rtSetFrameBuffer; nullptr where its size is one that the library refuses.
-    std::byte* frameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width, RTuint height,
-                           RTenum format) const;
+    /// Memory for rtSetFrameBuffer, whatever the format.
+    std::byte* frameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width,
+                           RTuint height) const;
     std::byte* auxBuffer(FrameBuffers& buffers, uint64_t key, RTenum what) const;
     /// These calls have been made; what is too small since is set anew.
     void setFrameBuffer(FrameBuffers& buffers, uint64_t key, RTuint width, RTuint height,
                         RTenum format);
+    /// Pictures have as many pixels: those without a frame buffer fill the viewport.
+    void setLargest(FrameBuffers& buffers, uint64_t pixels);
     void setStride(FrameBuffers& buffers, RTsizei stride);
     void setAuxBuffer(RTenum what, uint64_t key, RTuint format);
     /// Throws StreamError for more pixels than there may be.
     static void checkSize(uint64_t width, uint64_t height, uint64_t most);
 
 private:
-    uint64_t frameBytes(RTuint width, RTuint height, RTenum format) const;
+    uint64_t frameBytes(RTuint width, RTuint height) const;
     void growAux(FrameBuffers& buffers);
 
     struct Aux {
@@ -91,6 +93,7 @@ private:
     };
     uint64_t key_ = 0;
     RTuint width_ = 0, height_ = 0;
+    uint64_t auxPixels_ = 0;
     RTenum format_ = 0;
     RTsizei stride_ = 0;
     std::map<RTenum, Aux> aux_;
