@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -57,7 +58,7 @@ private:
     RemoteWorkers& workers_;
 };
 
-/// Of this process; what it holds ends in leave() or never.
+/// Of this process. Never ends: threads may still have contexts when it does.
 struct Job {
     pid_t process = 0; ///< and not its children's
     MpiRanks* ranks = nullptr;
@@ -95,7 +96,6 @@ void leave() {
     report(j);
     j.workers->leave();
     if (!j.ranks->finish(kEnd)) warn("some ranks do not end");
-    if (!onWorkerThread()) j.workers.reset(); // else frames may still be under way
 }
 
 void lead(Job& j) {
@@ -132,10 +132,11 @@ public:
     explicit ServicePolicy(RemoteService& service) : service_(service) {}
     bool plays(const CallSignature& call) override { return call.kind != CallKind::Query; }
     void diverged(const Divergence& d) override {
-        // What went wrong with pixels of a frame is an error of the process that has them all.
-        // Frames that differ are found out by their fingerprints.
+        // What went wrong with pixels of a frame is an error of the process that has them all, and
+        // read there by rtGetError. Frames that differ are found out by their fingerprints.
         const CallSignature* const call = findCall(d.function);
-        if (call && (call->kind == CallKind::Frame || call->kind == CallKind::Read)) return;
+        if (call && call->kind != CallKind::State) return;
+        if (std::strcmp(d.function, "rtGetError") == 0) return;
         const char* const why = rtGetErrorText();
         service_.giveUp(std::string(d.function) + " " + d.text + (why && *why ? ": " : "") +
                         (why ? why : ""));

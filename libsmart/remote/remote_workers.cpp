@@ -59,6 +59,7 @@ void RemoteWorkers::leave() noexcept {
     } catch (...) { // they notice when this process ends
     }
     transport_.flush(2000ms);
+    if (receiver_.joinable() && receiver_.get_id() != std::this_thread::get_id()) receiver_.join();
 }
 
 std::unique_ptr<Participation> RemoteWorkers::join(FrameQueue& queue, uint64_t renderer) {

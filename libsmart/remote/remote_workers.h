@@ -51,8 +51,8 @@ struct QueueLink {
 class RemoteWorkers final : public RenderPeers {
 public:
     /// Is told why a peer takes part no more, or that it was late for the first time; from any
-    /// thread. Where something has to be changed (another library, a plug-in that it lacks), that is
-    /// an error of the next frame too.
+    /// thread. Where something has to be changed (another library, a plug-in that it lacks), that
+    /// is an error of the next frame too.
     using Warn = std::function<void(const std::string&)>;
 
     /// The transport has to outlive it.
@@ -64,7 +64,8 @@ public:
     void addCall(std::span<const std::byte> record);
     /// Sends what addCall() kept together.
     void flushCalls();
-    /// Tells all peers that there is no more to do. Nothing may follow.
+    /// Tells all peers that there is no more to do. Nothing may follow, but renderers may end
+    /// later.
     void leave() noexcept;
 
     std::unique_ptr<Participation> join(FrameQueue& queue, uint64_t renderer) override;
