@@ -258,16 +258,21 @@ void invokeCall(const CallSignature& call, const CallValue* arguments, CallValue
 
 
 def names_header(functions):
-    lines = "\n".join(
-        f'extern "C" decltype({f.name}) {f.name} __asm__("openrt_{f.name}");' for f in functions)
+    def lines(is_rtu):
+        return "\n".join(f'extern "C" decltype({f.name}) {f.name} __asm__("openrt_{f.name}");'
+                         for f in functions if f.name.startswith("rtu") == is_rtu)
     return f"""{NOTE}// Included before all else of the library: its definitions get other names
 // for the linker, and calls from inside of the library go to them. __func__ stays as it is.
+// With OPENRT_RTU_ALONE only those of rtu.h do, so that a test sees what rtu calls.
 #pragma once
 
 #include "openrt/rt.h"
 #include "openrt/rtu.h"
 
-{lines}
+{lines(True)}
+#ifndef OPENRT_RTU_ALONE
+{lines(False)}
+#endif
 """
 
 
