@@ -252,6 +252,7 @@ TEST_F(ObjectMemory, AnUpdateSharesWhatStays) {
 }
 
 TEST_F(ObjectMemory, LazyObjectsHaveNoTreeUntilARayComes) {
+    rtThreads(1); // a thread that gets its first tile now would allocate what it works with
     rtObjectHint(RT_LAZY_BUILD, RT_TRUE);
     const double before = statistic(RT_STAT_BYTES);
     const RTuint seen = makeField(), unseen = makeField();
