@@ -104,6 +104,11 @@ class Jobs(unittest.TestCase):
         Jobs.tiles += tiles
         return tiles
 
+    def compare_shared(self, ranks, command, runs=8):
+        """The same, until other ranks have had a part in it: where the machine is busy a short
+        program may be over before they are ready."""
+        self.assertTrue(any(self.compare(ranks, command) > 0 for _ in range(runs)))
+
     def program(self, way):
         return lambda folder: [BIN / "mpi_program", folder / "out", way]
 
@@ -129,18 +134,17 @@ class Jobs(unittest.TestCase):
 
     def test_render_a_scene(self):
         for ranks in (2, 4):
-            tiles = self.compare(ranks, lambda folder: [
+            self.compare_shared(ranks, lambda folder: [
                 BIN / "openrt-render", MODEL, "-o", folder / "out.png", "--size", "640x480",
                 "--frames", 10])
-            self.assertGreater(tiles, 0)
 
     def test_frames_of_scenes_that_change(self):
-        for ranks in (1, 2, 3, 4):
-            tiles = self.compare(ranks, self.program("frames"))
-            self.assertEqual(tiles > 0, ranks > 1)
+        self.assertEqual(self.compare(1, self.program("frames")), 0)
+        for ranks in (2, 3, 4):
+            self.compare_shared(ranks, self.program("frames"))
 
     def test_pictures_that_become_textures(self):
-        self.assertGreater(self.compare(3, self.program("copy")), 0)
+        self.compare_shared(3, self.program("copy"))
 
     def test_contexts(self):
         self.compare(3, self.program("contexts"))
