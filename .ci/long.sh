@@ -37,6 +37,7 @@ run_long() {
     long_step "many frames" $release/bin/many_frames 100000 --json "$figures/many_frames.json"
     long_step accuracy $release/bin/openrt-accuracy --rays 10000000 \
         --json "$figures/accuracy.json"
+    long_step "model of ranks" $release/bin/openrt-bench remote --scene generated:200000
     long_step start python3 -B tests/figures/start.py $release --json "$figures/start.json"
     long_step "reproducible build" python3 -B tests/figures/reproducible.py \
         --json "$figures/reproducible.json"
