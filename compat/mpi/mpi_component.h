@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 
+#include "libsmart/remote/byte_codec.h"
 #include "libsmart/remote/transport.h"
 #include "openrt/version.h"
 
@@ -15,13 +16,14 @@ namespace smart::compat {
 class MpiRanks : public Transport {
 public:
     virtual unsigned rank() const = 0;
+    virtual const ByteCodec& codec() const = 0;
     /// Ends MPI in this process, together with the other ranks; false: they did not join in within
     /// this time.
     virtual bool finish(std::chrono::milliseconds timeout) noexcept = 0;
 };
 
 /// Both libraries have to be of one build: the interface between them is C++.
-#define OPENRT_MPI_COMPONENT OPENRT_VERSION_STRING "/1"
+#define OPENRT_MPI_COMPONENT OPENRT_VERSION_STRING "/2"
 
 /// Of the library's two symbols: openrtMpiComponent is the text above, openrtMpiOpen starts MPI.
 /// nullptr: why is in `problem`. The result lives until the process ends.

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "compat/mpi/lz4_codec.h"
 #include "compat/mpi/mpi_component.h"
 
 namespace smart::compat {
@@ -26,6 +27,7 @@ public:
     MpiTransport& operator=(const MpiTransport&) = delete;
 
     unsigned rank() const override { return unsigned(rank_); }
+    const ByteCodec& codec() const override { return codec_; }
     unsigned peers() const override { return unsigned(peers_.size()); }
     std::string peerName(unsigned peer) const override;
     void send(unsigned peer, Packet packet) override;
@@ -63,6 +65,7 @@ private:
     std::vector<MPI_Request> requests_;
     std::vector<Sending> sending_; ///< to requests_
 
+    const Lz4Codec codec_;
     int rank_ = 0;
     mutable std::mutex mutex_; // guards what follows
     std::condition_variable wake_, arrived_, changed_;

@@ -47,6 +47,16 @@ std::string libraryIdentity() {
     return OPENRT_VERSION_STRING " build " + buildId();
 }
 
+Packing packingFromEnvironment() {
+    const char* const text = secure_getenv("OPENRT_MPI_PACK");
+    const std::string wish = text ? text : "";
+    if (wish == "always") return Packing::Always;
+    if (wish == "never") return Packing::Never;
+    if (!wish.empty()) warn("OPENRT_MPI_PACK is neither always nor never: tiles are packed when "
+                            "that pays");
+    return Packing::WhenItPays;
+}
+
 class SharingSink final : public CallSink {
 public:
     explicit SharingSink(RemoteWorkers& workers) : workers_(workers) {}
@@ -79,9 +89,10 @@ void report(const Job& j) {
     const RemoteTraffic t = j.workers->traffic();
     std::fprintf(stderr,
                  "openrt: this process had %llu of its tiles by %u other ranks; sent %llu bytes of "
-                 "calls, received %llu bytes of pixels; %llu tiles were given to others\n",
+                 "calls, received %llu bytes of pixels as %llu; %llu tiles were given to others\n",
                  static_cast<unsigned long long>(t.tilesAnswered), j.workers->working(),
                  static_cast<unsigned long long>(t.callBytes),
+                 static_cast<unsigned long long>(t.pixelBytes),
                  static_cast<unsigned long long>(t.answerBytes),
                  static_cast<unsigned long long>(t.tilesReturned));
 }
@@ -101,6 +112,7 @@ void leave() {
 void lead(Job& j) {
     RemoteOptions options;
     options.identity = libraryIdentity();
+    options.codec = &j.ranks->codec();
     j.workers = std::make_unique<RemoteWorkers>(*j.ranks, std::move(options), warn);
     j.sink = std::make_unique<SharingSink>(*j.workers);
     std::atexit(leave);
@@ -122,7 +134,8 @@ void join() {
     if (j.ranks->rank() == 0) return lead(j);
     const unsigned threads = threadsFromEnvironment();
     j.service = std::make_unique<RemoteService>(*j.ranks, libraryIdentity(),
-                                                threads != 0 ? threads : coreCount());
+                                                threads != 0 ? threads : coreCount(),
+                                                &j.ranks->codec(), packingFromEnvironment());
     setRenderPeers(j.service.get());
 }
 

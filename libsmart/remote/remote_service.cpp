@@ -24,8 +24,9 @@ constexpr uint64_t kTellAfter = 1u << 20; ///< bytes taken in until the master h
 
 } // namespace
 
-RemoteService::RemoteService(Transport& transport, const std::string& identity, unsigned threads)
-    : transport_(transport), threads_(threads) {
+RemoteService::RemoteService(Transport& transport, const std::string& identity, unsigned threads,
+                             const ByteCodec* codec, Packing packing)
+    : transport_(transport), threads_(threads), packer_(codec, packing, threads) {
     send(Hello{identity, threads});
     receiver_ = startWorkerThread("remote", [this] { receive(); });
 }
@@ -144,6 +145,7 @@ void RemoteService::take(const CallBytes& calls) {
 }
 
 void RemoteService::take(const TileRequest& request) {
+    packer_.arrived(request.arrived);
     const std::lock_guard lock(mutex_);
     if (ended_) return;
     const auto found = frames_.find(request.frame);
@@ -168,6 +170,7 @@ void RemoteService::take(const FrameOver& over) {
             return;
         }
         known = std::move(found.mapped());
+        if (frames_.empty()) packer_.paused();
     }
     known.server->dropRequests(over.frame);
     known.server->queue().endElsewhere(*known.queued, over.done);

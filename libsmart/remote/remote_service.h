@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "libsmart/remote/answer_packing.h"
 #include "libsmart/remote/call_bytes.h"
 #include "libsmart/remote/remote_workers.h"
 
@@ -20,8 +21,9 @@ namespace smart {
 class RemoteService final : public RenderPeers {
 public:
     /// The transport, which has to outlive it, has the master as its only peer. threads: that
-    /// render, whatever the calls say.
-    RemoteService(Transport& transport, const std::string& identity, unsigned threads);
+    /// render, whatever the calls say. codec: the master's, or nullptr.
+    RemoteService(Transport& transport, const std::string& identity, unsigned threads,
+                  const ByteCodec* codec = nullptr, Packing packing = Packing::WhenItPays);
     /// No renderer may take part any more.
     ~RemoteService() override;
 
@@ -32,6 +34,7 @@ public:
     void waitForLeave();
 
     std::unique_ptr<Participation> join(FrameQueue& queue, uint64_t renderer) override;
+    AnswerPacker& packer() { return packer_; }
 
 private:
     friend class TileServer;
@@ -60,6 +63,7 @@ private:
 
     Transport& transport_;
     const unsigned threads_;
+    AnswerPacker packer_;
 
     std::mutex endMutex_; // held while queues are told of ends; taken before mutex_
     std::mutex mutex_;    // guards what follows

@@ -42,6 +42,7 @@ RemoteWorkers::RemoteWorkers(Transport& transport, RemoteOptions options, Warn w
       options_(std::move(options)),
       warn_(std::move(warn)),
       peers_(transport.peers()),
+      unpacker_(options_.codec),
       present_(transport.peers()) {
     receiver_ = startWorkerThread("remote", [this] { receive(); });
 }
@@ -247,8 +248,9 @@ void RemoteWorkers::hand(TileJob& job, const std::shared_ptr<QueueLink>& link,
             const uint64_t number = ++lastTicket_;
             const Packet request =
                 encode(TileRequest{number, entry->first, job.tile, target.width, target.height,
-                                   uint32_t(bytes)});
-            tickets_.emplace(number, Ticket{job, link, best, bytes, Clock::now()});
+                                   uint32_t(bytes), unpacker_.mayPack(), peers_[best].arrived});
+            tickets_.emplace(number, Ticket{job, link, best, storedLayout(target), bytes,
+                                            Clock::now()});
             --peers_[best].room;
             ++traffic_.tilesSent;
             lock.unlock();
@@ -345,9 +347,11 @@ void RemoteWorkers::take(unsigned peer, const FrameReady& ready) {
 }
 
 void RemoteWorkers::take(unsigned peer, const TileAnswer& answer) {
+    const Clock::time_point start = Clock::now();
     Ticket ticket;
     {
         const std::lock_guard lock(mutex_);
+        peers_[peer].arrived += answer.pixels.size();
         const auto found = tickets_.find(answer.ticket);
         if (found == tickets_.end()) {
             if (answer.ticket == 0 || answer.ticket > lastTicket_)
@@ -356,23 +360,38 @@ void RemoteWorkers::take(unsigned peer, const TileAnswer& answer) {
         }
         if (found->second.peer != peer) refuse("it answers what another was asked");
         const std::size_t bytes = answer.pixels.size();
-        if (bytes != found->second.bytes && bytes != 0) refuse("its tile has another size");
+        if (!answer.packed && bytes != found->second.bytes && bytes != 0)
+            refuse("its tile has another size");
+        ticket = found->second;
+    }
+    // A tile that can not be unpacked is still its sender's, and goes to others with the rest.
+    const std::span<const std::byte> pixels =
+        answer.packed
+            ? unpacker_.unpack(ticket.layout, ticket.job.tile, ticket.bytes, answer.pixels)
+            : answer.pixels;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = tickets_.find(answer.ticket);
+        if (found == tickets_.end()) return; // its renderer has ended in the meantime
         ticket = std::move(found->second);
         tickets_.erase(found);
         ++peers_[peer].room;
         ++traffic_.tilesAnswered;
-        traffic_.answerBytes += bytes;
+        traffic_.answerBytes += answer.pixels.size();
+        traffic_.pixelBytes += pixels.size();
         room_.notify_all();
     }
-    const std::lock_guard lock(ticket.link->mutex);
-    if (!ticket.link->queue) return;
-    if (!answer.pixels.empty())
-        ticket.link->queue->answered(ticket.job,
-                                     {answer.pixels.data(), answer.primaryRays, answer.shadowRays,
-                                      answer.secondaryRays, answer.badPixels,
-                                      answer.busyNanoseconds});
-    else if (!ticket.job.returned)
-        ticket.link->queue->returned(ticket.job);
+    {
+        const std::lock_guard lock(ticket.link->mutex);
+        if (!ticket.link->queue) return;
+        if (!pixels.empty())
+            ticket.link->queue->answered(
+                ticket.job, {pixels.data(), answer.primaryRays, answer.shadowRays,
+                             answer.secondaryRays, answer.badPixels, answer.busyNanoseconds});
+        else if (!ticket.job.returned)
+            ticket.link->queue->returned(ticket.job);
+    }
+    unpacker_.served(start, answer.pixels.size());
 }
 
 void RemoteWorkers::take(unsigned peer, const Progress& progress) {

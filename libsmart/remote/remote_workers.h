@@ -15,12 +15,14 @@
 #include <utility>
 #include <vector>
 
+#include "libsmart/remote/answer_packing.h"
 #include "libsmart/remote/transport.h"
 #include "libsmart/render/render_peers.h"
 
 namespace smart {
 
 struct RemoteOptions {
+    const ByteCodec* codec = nullptr; ///< for what travels; the same in all processes
     std::string identity; ///< of the library
     /// Tiles that a peer has at once for each of its threads: one under way, the others hide the
     /// latency.
@@ -35,7 +37,8 @@ struct RemoteOptions {
 /// Sums since the start.
 struct RemoteTraffic {
     uint64_t callBytes = 0; ///< of calls and pictures, once for all peers
-    uint64_t answerBytes = 0;
+    uint64_t answerBytes = 0; ///< of pixels, as they came
+    uint64_t pixelBytes = 0;  ///< and as they are
     uint64_t tilesSent = 0, tilesAnswered = 0, tilesReturned = 0;
 };
 
@@ -84,13 +87,15 @@ private:
         bool greeted = false, gone = false;
         bool isLate = false; ///< it has been once
         unsigned room = 0;  ///< tiles that it may have beyond those that it has
-        uint64_t taken = 0; ///< bytes of calls and pictures
+        uint64_t taken = 0;   ///< bytes of calls and pictures
+        uint64_t arrived = 0; ///< bytes of pixels, as they came
     };
     struct Ticket {
         TileJob job;
         std::shared_ptr<QueueLink> link;
         unsigned peer = 0;
-        std::size_t bytes = 0; ///< of the answer
+        StoredLayout layout;   ///< of the answer
+        std::size_t bytes = 0;
         Clock::time_point sent;
     };
     struct SharedFrame {
@@ -150,6 +155,7 @@ private:
     std::vector<std::byte> calls_;
     uint64_t sentBytes_ = 0;
 
+    AnswerUnpacker unpacker_; // of the thread that receives, but for one question
     std::atomic<bool> stopped_{false};
     std::atomic<unsigned> present_{0}; ///< peers that are not gone
     std::jthread receiver_;            // last: ends before what it uses

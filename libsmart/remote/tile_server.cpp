@@ -10,6 +10,14 @@
 #include "libsmart/render/thread_loan.h"
 
 namespace smart {
+namespace {
+
+struct AnswerMemory {
+    std::vector<std::byte> stored;
+    PackMemory packing;
+};
+
+} // namespace
 
 TileServer::TileServer(RemoteService& service, FrameQueue& queue, uint64_t renderer)
     : service_(service), queue_(queue), renderer_(renderer) {
@@ -61,14 +69,17 @@ bool TileServer::next(TileJob& job) {
 void TileServer::done(TileJob& job, const TilePixels& pixels) {
     const Request& request = *static_cast<const Request*>(job.ticket.get());
     const PixelTarget& target = request.frame->target;
-    const ThreadLoan<std::vector<std::byte>> bytes;
-    bytes->resize(storedTileSize(target, request.tile));
-    storeTile(target, request.tile, pixels, bytes->data());
-    const auto busy = std::chrono::duration_cast<std::chrono::nanoseconds>(
-        std::chrono::steady_clock::now() - job.since);
+    const ThreadLoan<AnswerMemory> memory;
+    std::vector<std::byte>& stored = memory->stored;
+    stored.resize(storedTileSize(target, request.tile));
+    storeTile(target, request.tile, pixels, stored.data());
+    const std::chrono::nanoseconds busy = std::chrono::steady_clock::now() - job.since;
+    const std::span<const std::byte> bytes = service_.packer().pack(
+        storedLayout(target), request.tile, stored, double(busy.count()) * 1e-9, request.mayPack,
+        memory->packing);
     service_.send(TileAnswer{request.ticket, pixels.primaryRays, pixels.shadowRays,
                              pixels.secondaryRays, pixels.badPixels, uint64_t(busy.count()),
-                             *bytes});
+                             bytes.size() < stored.size(), bytes});
     job.ticket.reset();
 }
 
@@ -86,7 +97,8 @@ void TileServer::failed(TileJob& job, std::exception_ptr reason) noexcept {
 void TileServer::ask(const TileRequest& request, std::shared_ptr<const Frame> frame) {
     {
         const std::lock_guard lock(mutex_);
-        requests_.push_back({request.ticket, request.frame, std::move(frame), request.tile});
+        requests_.push_back({request.ticket, request.frame, std::move(frame), request.tile,
+                             request.mayPack});
     }
     news_.notify_one();
 }
@@ -100,7 +112,7 @@ void TileServer::dropRequests(FrameKey frame) {
         requests_.swap(kept);
     }
     for (const Request& request : dropped)
-        service_.send(TileAnswer{request.ticket, 0, 0, 0, 0, 0, {}});
+        service_.send(TileAnswer{request.ticket, 0, 0, 0, 0, 0, false, {}});
 }
 
 } // namespace smart

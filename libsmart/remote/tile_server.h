@@ -41,6 +41,7 @@ private:
         FrameKey key;
         std::shared_ptr<const Frame> frame;
         Tile tile;
+        bool mayPack = false;
     };
 
     RemoteService& service_;

@@ -126,7 +126,7 @@ void fields(Io& io, M& m) {
         fields(io, m.frame), io(m.fingerprint);
     } else if constexpr (std::is_same_v<Type, TileAnswer>) {
         io(m.ticket), io(m.primaryRays), io(m.shadowRays), io(m.secondaryRays), io(m.badPixels),
-            io(m.busyNanoseconds), io(m.pixels);
+            io(m.busyNanoseconds), io(m.packed), io(m.pixels);
     } else if constexpr (std::is_same_v<Type, Progress>) {
         io(m.bytes);
     } else if constexpr (std::is_same_v<Type, Trouble>) {
@@ -135,7 +135,7 @@ void fields(Io& io, M& m) {
         io(m.bytes);
     } else if constexpr (std::is_same_v<Type, TileRequest>) {
         io(m.ticket), fields(io, m.frame), fields(io, m.tile), io(m.width), io(m.height),
-            io(m.bytes);
+            io(m.bytes), io(m.mayPack), io(m.arrived);
     } else if constexpr (std::is_same_v<Type, FrameOver>) {
         fields(io, m.frame), io(m.done);
     } else if constexpr (std::is_same_v<Type, PictureBytes>) {

@@ -17,7 +17,7 @@
 namespace smart {
 
 /// Of the messages below; theirs must be the same on both sides.
-inline constexpr uint16_t kWireVersion = 1;
+inline constexpr uint16_t kWireVersion = 2;
 
 // A message: magic, version, type, length of the payload (4, 2, 2, 8 bytes), checksum of all that
 // and of the payload (8 bytes), payload. Numbers have their lowest byte first. This much, and the
@@ -48,6 +48,7 @@ struct TileAnswer {
     uint64_t ticket = 0;
     uint64_t primaryRays = 0, shadowRays = 0, secondaryRays = 0, badPixels = 0;
     uint64_t busyNanoseconds = 0;
+    bool packed = false;               ///< tile_planes.h, and then the job's codec
     std::span<const std::byte> pixels; ///< empty: not rendered, as the frame is over
 };
 struct Progress {
@@ -67,6 +68,8 @@ struct TileRequest {
     Tile tile;
     uint32_t width = 0, height = 0; ///< of the picture
     uint32_t bytes = 0;             ///< of the tile in its formats
+    bool mayPack = false;           ///< the answer may be packed
+    uint64_t arrived = 0;           ///< bytes of pixels that have come from this worker so far
 };
 struct FrameOver {
     FrameKey frame;

@@ -37,11 +37,20 @@ void forEachRow(const PixelTarget& target, const Tile& tile, const Use& use) {
 
 } // namespace
 
-std::size_t storedTileSize(const PixelTarget& target, const Tile& tile) {
-    std::size_t pixel = target.memory ? bytesPerPixel(target.format) : 0;
+StoredLayout storedLayout(const PixelTarget& target) {
+    StoredLayout layout;
+    const auto add = [&](std::size_t size) { layout.pixelSize[layout.parts++] = uint8_t(size); };
     forEachAux([&](auto member, unsigned size) {
-        if (target.aux.*member) pixel += size;
+        if (target.aux.*member) add(size);
     });
+    if (target.memory) add(bytesPerPixel(target.format));
+    return layout;
+}
+
+std::size_t storedTileSize(const PixelTarget& target, const Tile& tile) {
+    const StoredLayout layout = storedLayout(target);
+    std::size_t pixel = 0;
+    for (unsigned part = 0; part < layout.parts; ++part) pixel += layout.pixelSize[part];
     return pixel * tile.width * tile.height;
 }
 

@@ -3,11 +3,20 @@
 // machines.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "libsmart/render/framebuffer.h"
 
 namespace smart {
+
+/// What a stored tile is made of: parts one after the other, each with all pixels of the tile.
+struct StoredLayout {
+    std::array<uint8_t, 7> pixelSize{}; ///< bytes of a pixel in each part: 3, 4, 12 or 16
+    unsigned parts = 0;
+};
+StoredLayout storedLayout(const PixelTarget& target);
 
 /// Of the colours and of all auxiliary values that the target asks for.
 std::size_t storedTileSize(const PixelTarget& target, const Tile& tile);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // remote_worker_process SOCKET MODE [SEED]: a worker at the other end of a socket. Modes: honest,
-// lie (damages what it sends, now and then), slow (microseconds a tile in place of the seed),
-// other (has another library), diverge (gives up at its third call).
+// packing (packs all tiles), lie (packs all, and damages what it sends, now and then), slow
+// (microseconds a tile in place of the seed), other (has another library), diverge (gives up at its
+// third call).
 #include <unistd.h>
 
 #include <chrono>
@@ -12,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "compat/mpi/lz4_codec.h"
 #include "libsmart/remote/remote_service.h"
 #include "tests/libsmart/remote/shared_renderer.h"
 #include "tests/support/socket_transport.h"
@@ -44,11 +46,32 @@ public:
     }
 
 private:
+    /// In ways that no checksum finds out.
+    Packet lieAbout(TileAnswer answer) {
+        std::vector<std::byte> pixels(answer.pixels.begin(), answer.pixels.end());
+        switch (random_() % 5) {
+            case 0: pixels.resize(pixels.size() / 2); break;
+            case 1: pixels.push_back(std::byte(random_())); break;
+            case 2: answer.packed = !answer.packed; break;
+            case 3: pixels.clear(); break;
+            case 4: // many times what a tile has, in few bytes
+                const std::vector<std::byte> zeros(900000);
+                pixels.resize(zeros.size());
+                pixels.resize(compat::Lz4Codec().pack(zeros, pixels));
+                answer.packed = true;
+                break;
+        }
+        answer.pixels = pixels;
+        return encode(answer);
+    }
     Packet lie(std::vector<std::byte> bytes) {
         const std::vector<std::byte> noise(random_() % 5000, std::byte(random_()));
+        if (const Parsed said = parseMessage(bytes); random_() % 2 == 0)
+            if (const auto* const answer = std::get_if<TileAnswer>(&said.message))
+                return lieAbout(*answer);
         switch (random_() % 8) {
-            case 0: return encode(TileAnswer{random_() % 100, 0, 0, 0, 0, 0, noise});
-            case 1: return encode(TileAnswer{random_(), 1, 2, 3, 4, 5, {}});
+            case 0: return encode(TileAnswer{random_() % 100, 0, 0, 0, 0, 0, false, noise});
+            case 1: return encode(TileAnswer{random_(), 1, 2, 3, 4, 5, false, {}});
             case 2: return encode(FrameReady{{random_() % 3, random_() % 9}, random_()});
             case 3: return encode(CallBytes{noise});
             case 4: return encode(Leave{});
@@ -73,7 +96,10 @@ int main(int argc, char** argv) {
     SocketTransport sockets({std::atoi(argv[1])});
     LyingTransport lying(sockets, number);
     Transport& transport = mode == "lie" ? static_cast<Transport&>(lying) : sockets;
-    RemoteService service(transport, mode == "other" ? "another" : "test", 2);
+    const compat::Lz4Codec codec;
+    RemoteService service(transport, mode == "other" ? "another" : "test", 2, &codec,
+                          mode == "lie" || mode == "packing" ? Packing::Always
+                                                             : Packing::WhenItPays);
     std::list<TestFrame> frames;
     {
         const FakeTracer tracer([&](const Frame&, const Tile&) {

@@ -15,6 +15,7 @@
 #include <string>
 #include <thread>
 
+#include "compat/mpi/lz4_codec.h"
 #include "tests/libsmart/remote/shared_renderer.h"
 #include "tests/support/delayed_transport.h"
 #include "tests/support/socket_transport.h"
@@ -78,7 +79,9 @@ public:
     }
     static RemoteOptions quick() {
         RemoteOptions options;
+        static const compat::Lz4Codec codec;
         options.identity = "test";
+        options.codec = &codec;
         options.stallAfter = 60ms;
         options.deafAfter = 2s;
         return options;
@@ -144,6 +147,38 @@ TEST(RemoteWorkers, FramesAreSharedAndComplete) {
         company.remote.reset();
         for (WorkerProcess& process : company.processes) EXPECT_EQ(process.wait(), 0);
     }
+}
+
+TEST(RemoteWorkers, PackedTilesAreWholeAgain) {
+    std::vector<WorkerProcess> all = workers(1, "packing");
+    all.emplace_back("honest");
+    RemoteOptions options = Company::quick();
+    options.stallAfter = 60s;
+    Company company(std::move(all), options, 1, slowly);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    for (uint64_t id = 1; id <= 10 || company.remote->traffic().tilesAnswered == 0; ++id) {
+        TestFrame frame(id, kWidth, kHeight);
+        EXPECT_EQ(company.submit(frame)->wait(), FrameStatus::Done);
+        EXPECT_TRUE(isComplete(frame));
+    }
+    const RemoteTraffic traffic = company.remote->traffic();
+    EXPECT_LT(traffic.answerBytes, traffic.pixelBytes);
+    EXPECT_TRUE(company.warnings().empty());
+}
+
+TEST(RemoteWorkers, WhoPacksUnaskedIsLeftOut) {
+    RemoteOptions options = Company::quick();
+    options.codec = nullptr;
+    options.stallAfter = 60s;
+    Company company(workers(1, "packing"), options, 1, slowly);
+    ASSERT_TRUE(company.remote->waitForPeers(10s));
+    for (uint64_t id = 1; id <= 10 || company.remote->working() != 0; ++id) {
+        TestFrame frame(id, kWidth, kHeight);
+        EXPECT_EQ(company.submit(frame)->wait(), FrameStatus::Done);
+        EXPECT_TRUE(isComplete(frame));
+    }
+    ASSERT_EQ(company.warnings().size(), 1u);
+    EXPECT_EQ(company.warnings()[0], "process 1 renders no more: its packed tile is none");
 }
 
 TEST(RemoteWorkers, RaysAreCountedWhereverTheyAreTraced) {

@@ -20,11 +20,11 @@ std::vector<std::byte> randomBytes(std::mt19937& random, std::size_t count) {
 std::vector<Message> samples(const std::vector<std::byte>& bytes) {
     return {Hello{"0.1.0 abc", 12},
             FrameReady{{1, 2}, 0x123456789ABCDEF0u},
-            TileAnswer{1, 2, 3, 4, 5, 6, bytes},
+            TileAnswer{1, 2, 3, 4, 5, 6, true, bytes},
             Progress{1u << 30},
             Trouble{"plug-in missing"},
             CallBytes{bytes},
-            TileRequest{9, {1, 7}, {64, 32, 32, 16}, 640, 480, 2048},
+            TileRequest{9, {1, 7}, {64, 32, 32, 16}, 640, 480, 2048, true, 77},
             FrameOver{{1, 7}, true},
             PictureBytes{{2, 3}, false, bytes},
             Leave{}};
@@ -89,7 +89,7 @@ TEST(Wire, PayloadsAreCheckedBehindTheChecksum) {
         const char* const text = parseMessage(*encode(message)).problem;
         return std::string(text ? text : "");
     };
-    const TileRequest good{9, {1, 7}, {64, 32, 32, 16}, 640, 480, 2048};
+    const TileRequest good{9, {1, 7}, {64, 32, 32, 16}, 640, 480, 2048, false, 0};
     EXPECT_EQ(problem(good), "");
     for (const Tile tile : {Tile{0, 0, 0, 1}, Tile{0, 0, 1, 0}, Tile{0, 0, 33, 1},
                             Tile{0, 0, 1, 33}, Tile{640, 0, 1, 1}, Tile{0, 480, 1, 1},
