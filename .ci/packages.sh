@@ -11,7 +11,7 @@ packages=(
     python3-pip python3-setuptools python3-wheel      # its wheel
     libembree-dev                                     # the benchmark's yardstick
     libbenchmark-dev valgrind                         # kernels one by one; instructions counted
-    libopenmpi-dev openmpi-bin                        # several machines that render together
+    libopenmpi-dev openmpi-bin liblz4-dev             # several machines that render together
     libosmesa6-dev libglu1-mesa-dev                   # OpenGL itself, to compare the ports with
 )
 

@@ -5,6 +5,9 @@ set(openrt_packages libopenrt0 libopenrt-dev openrt-tools openrt-doc)
 if(TARGET rtut)
     list(APPEND openrt_packages librtut0)
 endif()
+if(TARGET OpenRT-mpi)
+    list(APPEND openrt_packages libopenrt-mpi0)
+endif()
 
 # What Debian asks of every package: who may do what with it, and what changed.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC) # of SOURCE_DATE_EPOCH, where that is set
@@ -50,6 +53,11 @@ openrt_package(libopenrt0 libs "real-time ray tracing with an interface like Ope
 openrt_package(librtut0 libs "windows and events for OpenRT"
     "The counterpart of GLUT for programs that draw with OpenRT: windows, input,
  timers, shapes and fonts, and frames without a display." libopenrt0)
+openrt_package(libopenrt-mpi0 libs "OpenRT on several machines, by MPI"
+    "Lets all processes that mpirun starts of an OpenRT program render its frames
+ together. OpenRT opens it by itself when a program was started so." libopenrt0)
+set(CPACK_DEBIAN_LIBOPENRT-MPI0_PACKAGE_RECOMMENDS "openmpi-bin")
+set(CPACK_DEBIAN_LIBOPENRT0_PACKAGE_SUGGESTS "libopenrt-mpi0")
 set(development libopenrt0)
 if(TARGET rtut)
     list(APPEND development librtut0)
@@ -59,8 +67,10 @@ openrt_package(libopenrt-dev libdevel "real-time ray tracing - development files
  shader libraries, and the static ray tracing core libsmart." ${development})
 openrt_package(openrt-tools graphics "programs of the OpenRT ray tracing library"
     "openrt-render makes pictures of glTF, OBJ and PLY scenes, openrt-view shows
- them, openrt-info tells what the library and the machine have. Shader libraries
- to try and to learn from are included." libopenrt0)
+ them, openrt-cave and openrt-xr show them in CAVEs and head-mounted displays,
+ openrt-trace records and replays what programs call, openrt-info tells what the
+ library and the machine have. Shader libraries to try and to learn from are
+ included." libopenrt0)
 openrt_package(openrt-doc doc "real-time ray tracing - documentation"
     "Guides to OpenRT: porting OpenGL programs, shaders, textures, precision,
  performance and the library's architecture.")

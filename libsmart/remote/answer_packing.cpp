@@ -54,9 +54,9 @@ std::span<const std::byte> AnswerPacker::pack(const StoredLayout& layout, const 
     return size == 0 ? bytes : std::span<const std::byte>(memory.packed).first(size);
 }
 
-void AnswerPacker::arrived(uint64_t bytes) {
+void AnswerPacker::arrived(uint64_t bytes, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    choice_.arrived(bytes, Clock::now());
+    choice_.arrived(bytes, now);
 }
 
 void AnswerPacker::paused() {

@@ -36,7 +36,7 @@ public:
                                     std::span<const std::byte> bytes, double seconds,
                                     bool mayPack, PackMemory& memory);
     /// So many of the bytes that pack() gave have arrived.
-    void arrived(uint64_t bytes);
+    void arrived(uint64_t bytes, PackingChoice::Clock::time_point now);
     /// No tiles are wanted for now.
     void paused();
 

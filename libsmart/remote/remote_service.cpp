@@ -145,7 +145,7 @@ void RemoteService::take(const CallBytes& calls) {
 }
 
 void RemoteService::take(const TileRequest& request) {
-    packer_.arrived(request.arrived);
+    packer_.arrived(request.arrived, std::chrono::steady_clock::now());
     const std::lock_guard lock(mutex_);
     if (ended_) return;
     const auto found = frames_.find(request.frame);

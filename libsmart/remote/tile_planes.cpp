@@ -1,46 +1,74 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/remote/tile_planes.h"
 
+#include <bit>
+#include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 namespace smart {
 namespace {
 
-std::byte less(std::byte a, std::byte b) {
-    return std::byte(unsigned(a) - unsigned(b));
-}
-std::byte plus(std::byte a, std::byte b) {
-    return std::byte(unsigned(a) + unsigned(b));
+/// Of the k-th byte in memory of a word.
+constexpr unsigned shiftOf(unsigned k) {
+    return std::endian::native == std::endian::little ? 8 * k : 24 - 8 * k;
 }
 
-// The size of a pixel is a constant for the compiler, which then vectorises.
+// The size of a pixel is a constant for the compiler, and loops are such that it makes vector
+// instructions of them: long ones without aliases; pixels of whole words are taken apart to words
+// first.
 template <std::size_t size>
-void split(std::size_t width, std::size_t height, const std::byte* in, std::byte* out) {
-    for (std::size_t plane = 0; plane < size; ++plane) {
-        const std::byte* from = in + plane;
-        for (std::size_t i = 0; i < width; ++i) *out++ = from[i * size];
-        for (std::size_t row = 1; row < height; ++row) {
-            const std::byte* const before = from;
-            from += width * size;
-            for (std::size_t i = 0; i < width; ++i)
-                out[i] = less(from[i * size], before[i * size]);
-            out += width;
+void split(std::size_t count, const std::byte* __restrict pixels, std::byte* __restrict planes) {
+    if constexpr (size % 4 != 0) {
+        for (std::size_t plane = 0; plane < size; ++plane)
+            for (std::size_t i = 0; i < count; ++i)
+                planes[plane * count + i] = pixels[i * size + plane];
+    } else {
+        uint32_t words[TilePixels::kCount];
+        for (std::size_t at = 0; at < size; at += 4) {
+            for (std::size_t i = 0; i < count; ++i)
+                std::memcpy(&words[i], pixels + i * size + at, 4);
+            for (unsigned k = 0; k < 4; ++k, planes += count)
+                for (std::size_t i = 0; i < count; ++i)
+                    planes[i] = std::byte(words[i] >> shiftOf(k));
         }
     }
 }
 
 template <std::size_t size>
-void join(std::size_t width, std::size_t height, const std::byte* in, std::byte* out) {
-    for (std::size_t plane = 0; plane < size; ++plane) {
-        std::byte* to = out + plane;
-        for (std::size_t i = 0; i < width; ++i) to[i * size] = *in++;
-        for (std::size_t row = 1; row < height; ++row) {
-            const std::byte* const before = to;
-            to += width * size;
-            for (std::size_t i = 0; i < width; ++i)
-                to[i * size] = plus(in[i], before[i * size]);
-            in += width;
+void join(std::size_t count, const std::byte* __restrict planes, std::byte* __restrict pixels) {
+    if constexpr (size % 4 != 0) {
+        for (std::size_t plane = 0; plane < size; ++plane)
+            for (std::size_t i = 0; i < count; ++i)
+                pixels[i * size + plane] = planes[plane * count + i];
+    } else {
+        uint32_t words[TilePixels::kCount];
+        for (std::size_t at = 0; at < size; at += 4, planes += 4 * count) {
+            const std::byte* const p[] = {planes, planes + count, planes + 2 * count,
+                                          planes + 3 * count};
+            for (std::size_t i = 0; i < count; ++i)
+                words[i] = uint32_t(p[0][i]) << shiftOf(0) | uint32_t(p[1][i]) << shiftOf(1) |
+                           uint32_t(p[2][i]) << shiftOf(2) | uint32_t(p[3][i]) << shiftOf(3);
+            for (std::size_t i = 0; i < count; ++i)
+                std::memcpy(pixels + i * size + at, &words[i], 4);
         }
+    }
+}
+
+/// to = from less the row before, of so many bytes.
+void subtractRows(std::size_t bytes, std::size_t row, const std::byte* __restrict from,
+                  std::byte* __restrict to) {
+    std::memcpy(to, from, row);
+    for (std::size_t i = row; i < bytes; ++i)
+        to[i] = std::byte(unsigned(from[i]) - unsigned(from[i - row]));
+}
+
+void addRows(std::size_t bytes, std::size_t row, std::byte* pixels) {
+    for (std::size_t begin = row; begin < bytes; begin += row) {
+        const std::byte* __restrict const before = pixels + begin - row;
+        std::byte* __restrict const here = pixels + begin;
+        for (std::size_t i = 0; i < row; ++i)
+            here[i] = std::byte(unsigned(here[i]) + unsigned(before[i]));
     }
 }
 
@@ -59,21 +87,26 @@ void withSize(unsigned size, const Use& use) {
 
 void splitTile(const StoredLayout& layout, const Tile& tile, const std::byte* stored,
                std::byte* planes) {
+    const std::size_t count = std::size_t(tile.width) * tile.height;
     for (unsigned part = 0; part < layout.parts; ++part)
         withSize(layout.pixelSize[part], [&](auto size) {
-            split<size()>(tile.width, tile.height, stored, planes);
-            stored += size() * tile.width * tile.height;
-            planes += size() * tile.width * tile.height;
+            std::byte differences[size() * TilePixels::kCount];
+            subtractRows(size() * count, size() * tile.width, stored, differences);
+            split<size()>(count, differences, planes);
+            stored += size() * count;
+            planes += size() * count;
         });
 }
 
 void joinTile(const StoredLayout& layout, const Tile& tile, const std::byte* planes,
               std::byte* stored) {
+    const std::size_t count = std::size_t(tile.width) * tile.height;
     for (unsigned part = 0; part < layout.parts; ++part)
         withSize(layout.pixelSize[part], [&](auto size) {
-            join<size()>(tile.width, tile.height, planes, stored);
-            planes += size() * tile.width * tile.height;
-            stored += size() * tile.width * tile.height;
+            join<size()>(count, planes, stored);
+            addRows(size() * count, size() * tile.width, stored);
+            planes += size() * count;
+            stored += size() * count;
         });
 }
 

@@ -10,7 +10,7 @@
 
 namespace smart {
 
-/// Both arrays have storedTileSize() bytes.
+/// Of a tile of at most kTileSize a side. Both arrays have storedTileSize() bytes.
 void splitTile(const StoredLayout& layout, const Tile& tile, const std::byte* stored,
                std::byte* planes);
 /// The inverse.

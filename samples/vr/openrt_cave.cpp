@@ -20,6 +20,7 @@
 #include "samples/tools/scene_options.h"
 #include "samples/vr/cave_room.h"
 #include "samples/vr/head_path.h"
+#include "samples/vr/latency_report.h"
 
 namespace {
 
@@ -28,10 +29,24 @@ using Clock = std::chrono::steady_clock;
 struct CaveOptions : samples::SceneOptions {
     std::string path, output;
     double side = 3.0, scale = 1.0, eyeDistance = 0.064, rate = 30.0;
-    bool mono = false;
+    bool mono = false, latency = false;
 } options;
 
 constexpr std::size_t kWalls = 4;
+
+/// What happens to the pictures of a wall, in this order: each eye is rendered, and they are shown.
+std::vector<std::string> wallEvents(std::size_t eyes, bool inWindows) {
+    std::vector<std::string> events;
+    for (const samples::CaveWall& wall : samples::caveWalls(options.side)) {
+        const std::string name = wall.name;
+        for (std::size_t eye = 0; eye < eyes; ++eye)
+            events.push_back(name + (eyes == 1   ? " rendered"
+                                     : eye == 0 ? ", left eye rendered"
+                                                : ", right eye rendered"));
+        events.push_back(name + (inWindows ? " shown" : " written"));
+    }
+    return events;
+}
 
 /// The pictures of one eye on all walls, or of both.
 class WallPictures {
@@ -45,7 +60,7 @@ public:
     /// Queues a moment: the first view with the scene, the others of the scene as it is frozen
     /// then; and waits for all.
     void render(const samples::RtScene& scene, const samples::CavePlace& place,
-                const samples::HeadPose& head) {
+                const samples::HeadPose& head, samples::LatencyReport& latency) {
         std::vector<RTuint> frames;
         for (std::size_t wall = 0; wall < kWalls; ++wall) {
             for (int eye = 0; eye < eyes_; ++eye) {
@@ -57,7 +72,11 @@ public:
                 samples::checkRt();
             }
         }
-        for (const RTuint frame : frames) rtWaitFrame(frame);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            rtWaitFrame(frames[i]);
+            const std::size_t eyes = std::size_t(eyes_);
+            latency.happened(i / eyes * (eyes + 1) + i % eyes);
+        }
         samples::checkRt();
     }
 
@@ -101,9 +120,11 @@ public:
             windows_.push_back(std::make_unique<samples::PictureWindow>(
                 display_, size, std::string("openrt-cave: ") + wall.name));
     }
-    void show(const WallPictures& pictures) {
-        for (std::size_t wall = 0; wall < kWalls; ++wall)
+    void show(const WallPictures& pictures, std::size_t eyes, samples::LatencyReport& latency) {
+        for (std::size_t wall = 0; wall < kWalls; ++wall) {
             windows_[wall]->draw(pictures.size(), pictures.wall(wall));
+            latency.happened(wall * (eyes + 1) + eyes);
+        }
         samples::Display::poll();
     }
     bool closed() const {
@@ -132,11 +153,13 @@ std::string fileName(const char* wall, uint32_t frame) {
     return name;
 }
 
-void writeFiles(const WallPictures& pictures, uint32_t frame) {
+void writeFiles(const WallPictures& pictures, uint32_t frame, std::size_t eyes,
+                samples::LatencyReport& latency) {
     const samples::PictureSize size = pictures.size();
     for (std::size_t wall = 0; wall < kWalls; ++wall) {
         samples::OutputFile file(fileName(samples::caveWalls(options.side)[wall].name, frame));
         file.write(samples::encodePng(size.width, size.height, 4, pictures.wall(wall)));
+        latency.happened(wall * (eyes + 1) + eyes);
     }
 }
 
@@ -157,7 +180,9 @@ int run() {
         wantedView ? *wantedView : samples::defaultView(description, bounds, 1.0f);
     const samples::RtScene scene(description, bounds, view, lighting);
     const samples::CavePlace place(view, options.scale);
-    WallPictures pictures(size, options.mono ? 1 : 2);
+    const std::size_t eyes = options.mono ? 1 : 2;
+    WallPictures pictures(size, int(eyes));
+    samples::LatencyReport latency(wallEvents(eyes, options.output.empty()));
     rtFrameDepth(2 * kWalls);
 
     std::optional<WallWindows> windows;
@@ -168,17 +193,19 @@ int run() {
         const double now = windows ? std::chrono::duration<double>(Clock::now() - start).count()
                                    : frame / options.rate;
         if (now > path.end() && options.frames == 0) break;
-        pictures.render(scene, place, path.at(now));
+        latency.poseRead();
+        pictures.render(scene, place, path.at(now), latency);
         if (!windows) {
-            writeFiles(pictures, frame);
+            writeFiles(pictures, frame, eyes, latency);
             continue;
         }
-        windows->show(pictures);
+        windows->show(pictures, eyes, latency);
         if (windows->closed()) break;
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     std::printf("%u moments of %zu views, %.1f a second\n", frame,
-                kWalls * (options.mono ? 1 : 2), frame / seconds);
+                kWalls * eyes, frame / seconds);
+    if (options.latency) latency.print();
     rtExit();
     return 0;
 }
@@ -201,6 +228,8 @@ int main(int argc, char* argv[]) {
     app.add_option("--eyes", options.eyeDistance, "distance between them, in metres")
         ->capture_default_str();
     app.add_flag("--mono", options.mono, "one picture a wall, from between the eyes");
+    app.add_flag("--report-latency", options.latency,
+                 "print how long after the head's pose each wall is rendered and shown");
     app.add_option("--frames", options.frames, "how many moments; 0: to the end of the path")
         ->capture_default_str();
     app.add_option("--rate", options.rate, "moments a second of the path, in files")

@@ -31,5 +31,6 @@ Run addDynamic(CLI::App& app);
 Run addMemory(CLI::App& app);
 Run addReshade(CLI::App& app);
 Run addRemote(CLI::App& app);
+Run addRecovery(CLI::App& app);
 
 } // namespace smart::bench

@@ -23,6 +23,7 @@ constexpr Command kCommands[] = {
     {"memory", "bytes of objects and instances, and what lazy building saves", addMemory},
     {"reshade", "memory of instances with shaders of their own", addReshade},
     {"remote", "machines that render together: costs, and what follows for many", addRemote},
+    {"recovery", "workers that die or fall silent: how long a frame takes then", addRecovery},
 };
 
 int runCommand(int argc, char** argv) {

@@ -19,6 +19,7 @@
 #include "tests/bench/phong_frame.h"
 #include "tests/bench/remote_job.h"
 #include "tests/bench/remote_model.h"
+#include "tests/bench/remote_packing.h"
 
 namespace smart::bench {
 namespace {
@@ -27,12 +28,14 @@ using namespace std::chrono_literals;
 
 struct Options {
     std::string scene;
+    ViewOptions view;
     uint32_t size = 512;
     unsigned workers = 3, repeat = 5, threads = 16;
     double millisecondsOfTile = 2;
 };
 
 constexpr uint32_t kWidth = 1920, kHeight = 1080;
+constexpr double kAnswerHead = kHeaderSize + 49; ///< bytes of a TileAnswer but its pixels
 
 /// Takes its time for a tile and no processor; knows how long it really slept, which on a busy
 /// machine is longer than it was told.
@@ -67,7 +70,10 @@ std::shared_ptr<Frame> emptyFrame(std::vector<uint32_t>& pixels) {
     return frame;
 }
 
-void printTable(const RemoteCosts& measured, uint64_t tiles, unsigned threads) {
+/// With tiles as they are, and packed.
+void printTable(const RemoteCosts& measured, const PackingCosts& packing, const char* format,
+                unsigned threads) {
+    const uint64_t tiles = mortonTiles(kWidth, kHeight).size();
     struct Line {
         const char* name;
         double bitsPerSecond, latency; ///< of a switched network of this kind, one way, with MPI
@@ -75,18 +81,38 @@ void printTable(const RemoteCosts& measured, uint64_t tiles, unsigned threads) {
     constexpr Line kLines[] = {{"1 Gbit/s", 1e9, 50e-6},
                                {"10 Gbit/s", 1e10, 15e-6},
                                {"100 Gbit/s", 1e11, 3e-6}};
-    std::printf("\nExpected at %ux%u, %u threads a rank, all as fast as the one measured here\n"
-                "ranks  network      frames/s  alone ms  efficiency  limit\n",
-                kWidth, kHeight, threads);
+    std::printf("\nExpected at %ux%u, %s, %u threads a rank, all as fast as the one measured here\n"
+                "ranks  network      frames/s  alone ms  efficiency  limit                         "
+                "  packed: frames/s  efficiency  limit\n",
+                kWidth, kHeight, format, threads);
     for (const unsigned ranks : {8u, 64u, 512u})
         for (const Line& line : kLines) {
             RemoteCosts costs = measured;
             costs.lineBytesPerSecond = line.bitsPerSecond / 8 * 0.94; // less what TCP/IP adds
             costs.latencySeconds = line.latency;
+            costs.answerBytes = packing.plainBytes + kAnswerHead;
             const RemotePrediction p = predict(costs, tiles, ranks, threads);
-            std::printf("%5u  %-10s  %9.1f  %8.2f  %9.0f%%  %s\n", ranks, line.name,
-                        p.framesPerSecond, p.frameSeconds * 1e3, p.efficiency * 100, p.limit);
+            costs.tileSeconds += packing.packSeconds;
+            costs.masterSeconds += packing.unpackSeconds;
+            costs.answerBytes = packing.packedBytes + kAnswerHead;
+            const RemotePrediction q = predict(costs, tiles, ranks, threads);
+            std::printf("%5u  %-10s  %9.1f  %8.2f  %9.0f%%  %-30s  %16.1f  %9.0f%%  %s\n", ranks,
+                        line.name, p.framesPerSecond, p.frameSeconds * 1e3, p.efficiency * 100,
+                        p.limit, q.framesPerSecond, q.efficiency * 100, q.limit);
         }
+}
+
+void printPacking(const RemoteCosts& costs, const Frame& frame, const char* format,
+                  const Options& options) {
+    const PackingCosts packing = packingCosts(frame, options.repeat);
+    const double pixels = double(frame.target.width) * frame.target.height;
+    const double tiles = pixels / (kTileSize * kTileSize);
+    std::printf("\n%s: %.0f bytes a frame, packed %.0f (%.1f to 1); a tile is packed in %.1f us "
+                "and unpacked in %.1f us\n",
+                format, packing.plainBytes * tiles, packing.packedBytes * tiles,
+                packing.plainBytes / packing.packedBytes, packing.packSeconds * 1e6,
+                packing.unpackSeconds * 1e6);
+    printTable(costs, packing, format, options.threads);
 }
 
 /// The model against a job in this process whose tiles take time and no processor.
@@ -113,6 +139,7 @@ bool checkModel(const RemoteCosts& measured, const Options& options) {
         const double seconds = job.secondsOfFrame(options.repeat);
         RemoteCosts costs = measured;
         costs.tileSeconds = tracer.secondsOfTile();
+        costs.answerBytes = kTileSize * kTileSize * 4 + kAnswerHead;
         costs.latencySeconds = std::chrono::duration<double>(c.latency).count();
         costs.lineBytesPerSecond = c.bytesPerSecond;
         const RemotePrediction p = predict(costs, tiles, c.workers + 1, 1);
@@ -130,7 +157,7 @@ int run(const Options& options) {
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, Precision::Watertight, processorCount(), built);
     std::vector<float> floats;
-    const std::shared_ptr<Frame> frame = phongFrame(scene, View(), options.size, floats);
+    const std::shared_ptr<Frame> frame = phongFrame(scene, options.view.view(), options.size, floats);
     std::vector<uint32_t> pixels(std::size_t(options.size) * options.size);
     frame->target.memory = pixels.data();
     frame->target.format = PixelFormat::Rgba8;
@@ -141,7 +168,7 @@ int run(const Options& options) {
                 "ranks  frame ms  queued ms  call bytes  answer bytes  remote tiles\n",
                 options.size, options.size, std::size_t(tiles));
     RemoteCosts costs;
-    double alone = 0, answer = 0;
+    double alone = 0;
     for (unsigned workers = 0; workers <= options.workers; ++workers) {
         RemoteJob job(workers, tracer, frame);
         const double seconds = job.secondsOfFrame(options.repeat);
@@ -149,7 +176,6 @@ int run(const Options& options) {
         if (workers == 0) alone = seconds;
         const RemoteTraffic t = job.traffic();
         const double frames = 3.0 * options.repeat + 2;
-        if (t.tilesAnswered > 0) answer = double(t.answerBytes) / double(t.tilesAnswered);
         std::printf("%5u  %8.2f  %9.2f  %10.0f  %12.0f  %12.1f\n", workers + 1, seconds * 1e3,
                     queued * 1e3, double(t.callBytes) / frames, double(t.answerBytes) / frames,
                     double(t.tilesAnswered) / frames);
@@ -157,14 +183,18 @@ int run(const Options& options) {
     // Once more, as the machine may have been busy with something else the first time.
     alone = std::min(alone, RemoteJob(0, tracer, frame).secondsOfFrame(options.repeat));
     costs.tileSeconds = alone / double(tiles);
-    costs.answerBytes = answer + kHeaderSize + 48;
     costs.masterSeconds = servingSeconds(*frame, 20000) + 2e-6;
     costs.latencySeconds = socketLatency(4096, 2000);
     std::printf("\ntile %.0f us, serving a remote one %.1f us (2 us of that assumed for MPI),\n"
-                "answer %.0f bytes, message of 4 KB from thread to thread here %.0f us\n",
-                costs.tileSeconds * 1e6, costs.masterSeconds * 1e6, costs.answerBytes,
-                costs.latencySeconds * 1e6);
-    printTable(costs, mortonTiles(kWidth, kHeight).size(), options.threads);
+                "message of 4 KB from thread to thread here %.0f us\n",
+                costs.tileSeconds * 1e6, costs.masterSeconds * 1e6, costs.latencySeconds * 1e6);
+    printPacking(costs, *frame, "four bytes a pixel", options);
+    printSimulatedPacking(frame, 4 * options.repeat);
+    frame->target.memory = floats.data();
+    frame->target.format = PixelFormat::Rgba32f;
+    RemoteJob(0, tracer, frame).secondsOfFrame(1);
+    costs.masterSeconds = servingSeconds(*frame, 20000) + 2e-6;
+    printPacking(costs, *frame, "four floats a pixel", options);
     if (checkModel(costs, options)) return 0;
     std::printf("the model is refused: it is off by half or more\n");
     return kExitRefused;
@@ -176,6 +206,7 @@ Run addRemote(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     addScene(app, options->scene);
     addSize(app, options->size);
+    options->view.add(app);
     addRepeat(app, options->repeat);
     app.add_option("--workers", options->workers, "ranks beside the first, up to so many")
         ->check(CLI::Range(1u, 16u));

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "compat/mpi/lz4_codec.h"
 #include "libsmart/remote/remote_service.h"
 #include "libsmart/remote/wire.h"
 #include "libsmart/render/stored_tile.h"
@@ -15,15 +16,17 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
+const compat::Lz4Codec kCodec;
+
 double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 void work(int socket, const Tracer& tracer, const std::shared_ptr<const Frame>& frame,
-          std::chrono::microseconds latency) {
+          std::chrono::microseconds latency, Packing packing) {
     test::SocketTransport sockets({socket});
     test::DelayedTransport delayed(sockets, latency);
-    RemoteService service(delayed, "bench", 1);
+    RemoteService service(delayed, "bench", 1, &kCodec, packing);
     {
         test::SharedRenderer renderer(service, 1, 1, tracer);
         std::vector<std::byte> call;
@@ -35,14 +38,14 @@ void work(int socket, const Tracer& tracer, const std::shared_ptr<const Frame>& 
 } // namespace
 
 RemoteJob::RemoteJob(unsigned workers, const Tracer& tracer, std::shared_ptr<const Frame> frame,
-                     const RemoteLine& line)
+                     const RemoteLine& line, Packing packing)
     : frame_(std::move(frame)) {
     std::vector<int> sockets;
     for (unsigned i = 0; i < workers; ++i) {
         const test::SocketPair pair;
         sockets.push_back(pair.here);
-        workers_.emplace_back([there = pair.there, &tracer, frame = frame_, line] {
-            work(there, tracer, frame, line.latency);
+        workers_.emplace_back([there = pair.there, &tracer, frame = frame_, line, packing] {
+            work(there, tracer, frame, line.latency, packing);
         });
     }
     sockets_ = std::make_unique<test::SocketTransport>(sockets);
@@ -50,6 +53,7 @@ RemoteJob::RemoteJob(unsigned workers, const Tracer& tracer, std::shared_ptr<con
                                                         line.bytesPerSecond);
     RemoteOptions options;
     options.identity = "bench";
+    options.codec = &kCodec;
     options.stallAfter = 60s; // no tile twice: it would be measured
     remote_ = std::make_unique<RemoteWorkers>(*delayed_, options, [](const std::string&) {});
     if (!remote_->waitForPeers(30s)) throw std::runtime_error("workers do not start");
@@ -120,11 +124,11 @@ double servingSeconds(const Frame& frame, unsigned repeat) {
     const Tile tile{0, 0, std::min(kTileSize, frame.target.width),
                     std::min(kTileSize, frame.target.height)};
     std::vector<std::byte> pixels(storedTileSize(frame.target, tile));
-    const Packet answer = encode(TileAnswer{1, 0, 0, 0, 0, 0, pixels});
+    const Packet answer = encode(TileAnswer{1, 0, 0, 0, 0, 0, false, pixels});
     const Clock::time_point start = Clock::now();
     for (unsigned i = 0; i < repeat; ++i) {
         encode(TileRequest{1, {1, 1}, tile, frame.target.width, frame.target.height,
-                           uint32_t(pixels.size())});
+                           uint32_t(pixels.size()), true, 0});
         const Parsed parsed = parseMessage(*answer);
         placeTile(frame.target, tile, std::get<TileAnswer>(parsed.message).pixels.data());
     }

@@ -25,7 +25,7 @@ struct RemoteLine {
 class RemoteJob {
 public:
     RemoteJob(unsigned workers, const Tracer& tracer, std::shared_ptr<const Frame> frame,
-              const RemoteLine& line = {});
+              const RemoteLine& line = {}, Packing packing = Packing::Never);
     ~RemoteJob();
 
     /// Seconds of a frame, the median; one at a time.

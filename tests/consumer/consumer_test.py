@@ -114,6 +114,26 @@ def shader_libraries(work, installation):
         expect(shown("Wood", "wood") not in ("", "0 0 0"), "an installed library by its name")
 
 
+COMPONENTS = {"libopenrt-mpi0": {"libOpenRT-mpi.so.0"},
+              "openrt-tools": {"openrt-trace", "openrt-cave", "openrt-xr"}}
+
+
+def components(work, build):
+    """Each package gets what was built of its own, and no other does."""
+    def installed(name):
+        folder = work / name
+        run("cmake", "--install", build, "--prefix", str(folder), "--component", name)
+        return {p.name for p in folder.rglob("*") if p.is_file() and "doc" not in p.parts}
+
+    built = {p.name for folder in ("bin", "lib") for p in pathlib.Path(build, folder).iterdir()}
+    files = {name: installed(name) for name in
+             ("libopenrt0", "libopenrt-dev", "openrt-tools", "libopenrt-mpi0")}
+    for component, expected in COMPONENTS.items():
+        for name in expected & built:
+            owners = [c for c, held in files.items() if name in held]
+            expect(owners == [component], f"{name} is in {component}, not in {owners}")
+
+
 def main(build, generator, cc, cxx, flags):
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
@@ -125,6 +145,7 @@ def main(build, generator, cc, cxx, flags):
         expect(result.returncode == 0, result.stdout)
         cmake_projects(work, installation, generator)
         shader_libraries(work, installation)
+        components(work / "components", build)
 
 
 if __name__ == "__main__":

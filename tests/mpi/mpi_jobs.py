@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Programs that mpirun starts render the same bits as one process with one thread.
 
-mpi_jobs.py BIN LIBRARY SHADERS MODEL [ALL]
+mpi_jobs.py BIN LIBRARY SHADERS MODEL [--full]
 
 BIN: folder of the programs; LIBRARY: libOpenRT; SHADERS: folder of shader libraries; MODEL: a
-scene. With ALL each sample is run with 1, 2, 3 and 4 ranks, else with one of these numbers.
+scene. With --full each sample is run with 1, 2, 3 and 4 ranks, else with one of these numbers.
+Several jobs run at once: most of a job's time is waiting for its start and end.
 """
+import concurrent.futures
+import itertools
 import os
 import pathlib
 import re
@@ -19,15 +22,17 @@ import time
 import unittest
 
 BIN, LIBRARY, SHADERS, MODEL = (pathlib.Path(a).resolve() for a in sys.argv[1:5])
-ALL = len(sys.argv) > 5
+FULL = "--full" in sys.argv[5:]
 PORTS = ["checker", "clip", "fog", "gears", "isosurface", "material_grid", "mirror", "model",
          "movelight", "nested_lists", "overlay", "panes", "planet", "revolution", "robot", "scene",
          "shadows", "spots", "terrain", "texbind", "text", "torus", "varray", "rt_teapots",
          "rt_mirror"]
 SHORT = {"01_triangle": ["out.png"], "02_instances": ["out.png"], "03_sphere": ["out.pfm"],
          "04_floor": ["out.pfm"], "06_shaders": ["out.png"], "07_frame_queue": ["frame", "2"]}
+SIZE = "96x72"
 CHANGING = ["shoal", "sheet", "flight", "day_and_night"]
-SECONDS = 120
+SECONDS = 200
+AT_ONCE = 6
 
 
 def environment(**changes):
@@ -73,8 +78,16 @@ def remote_tiles(text):
     return (int(found[1]), int(found[2])) if found else (0, 0)
 
 
+def at_once(function, arguments):
+    """Calls function(*a) for all, several at a time; what went wrong is raised in the end."""
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        for future in [pool.submit(function, *a) for a in arguments]:
+            future.result()
+
+
 class Jobs(unittest.TestCase):
-    tiles = 0
+    compared = itertools.count()
+    shared = itertools.count()
 
     def setUp(self):
         self._temporary = tempfile.TemporaryDirectory()
@@ -83,65 +96,77 @@ class Jobs(unittest.TestCase):
     def tearDown(self):
         self._temporary.cleanup()
 
-    def files(self, name):
-        return {p.name: p.read_bytes() for p in sorted((self.folder / name).iterdir())}
+    @staticmethod
+    def files(folder):
+        return {p.name: p.read_bytes() for p in sorted(folder.iterdir())}
 
-    def compare(self, ranks, command, code=0):
+    def compare(self, ranks, command, code=0, changes=None):
         """command(folder) gives the program that writes its pictures there."""
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
         for name in ("alone", "together"):
-            shutil.rmtree(self.folder / name, ignore_errors=True)
-            (self.folder / name).mkdir()
-        first = alone(*command(self.folder / "alone"))
+            (folder / name).mkdir()
+        first = alone(*command(folder / "alone"))
         self.assertEqual(first.returncode, code, first.stderr)
-        result = mpirun((ranks, {}, command(self.folder / "together")))
+        result = mpirun((ranks, changes or {}, command(folder / "together")))
         self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(self.files("alone"), self.files("together"))
-        self.assertTrue(self.files("alone"))
+        pictures = self.files(folder / "alone")
+        self.assertEqual(pictures, self.files(folder / "together"), command(folder)[0])
+        self.assertTrue(pictures)
         self.assertEqual(result.stdout.replace("/together/", "/alone/"), first.stdout)
         self.assertNotIn("renders no more", result.stderr)
         tiles, others = remote_tiles(result.stderr)
         self.assertEqual(others, ranks - 1, result.stderr)
-        Jobs.tiles += tiles
+        next(Jobs.compared)
+        if tiles > 0:
+            next(Jobs.shared)
+        shutil.rmtree(folder)
         return tiles
 
-    def compare_shared(self, ranks, command, runs=8):
+    def compare_shared(self, ranks, command, changes=None, runs=8):
         """The same, until other ranks have had a part in it: where the machine is busy a short
         program may be over before they are ready."""
-        self.assertTrue(any(self.compare(ranks, command) > 0 for _ in range(runs)))
+        self.assertTrue(any(self.compare(ranks, command, changes=changes) > 0
+                            for _ in range(runs)))
 
     def program(self, way):
         return lambda folder: [BIN / "mpi_program", folder / "out", way]
 
     def compare_all(self, programs):
-        for i, (name, command) in enumerate(programs):
-            for ranks in (1, 2, 3, 4) if ALL else (1 + i % 4,):
-                with self.subTest(program=name, ranks=ranks):
-                    self.compare(ranks, command)
+        at_once(self.compare, [(ranks, command) for i, command in enumerate(programs)
+                               for ranks in ((1, 2, 3, 4) if FULL else (1 + i % 4,))])
 
     def offscreen(self, program):
-        return lambda folder: [program, "--rt-offscreen", 2, "--rt-size", "160x120",
+        return lambda folder: [program, "--rt-offscreen", 2, "--rt-size", SIZE,
                                "--rt-output", folder / "frame%03d.png"]
 
-    def test_ports(self):
-        self.compare_all((p, self.offscreen(BIN / "ports" / p)) for p in PORTS)
-
-    def test_samples_of_changing_scenes(self):
-        self.compare_all((p, self.offscreen(BIN / "changing" / p)) for p in CHANGING)
-
-    def test_short_samples(self):
-        self.compare_all((p, lambda folder, p=p, a=a: [BIN / p, folder / a[0], *a[1:]])
-                         for p, a in SHORT.items())
+    def test_samples(self):
+        self.compare_all(
+            [self.offscreen(BIN / "ports" / p) for p in PORTS] +
+            [self.offscreen(BIN / "changing" / p) for p in CHANGING] +
+            [lambda folder, p=p, a=a: [BIN / p, folder / a[0], *a[1:]] for p, a in SHORT.items()])
 
     def test_render_a_scene(self):
-        for ranks in (2, 4):
-            self.compare_shared(ranks, lambda folder: [
-                BIN / "openrt-render", MODEL, "-o", folder / "out.png", "--size", "640x480",
-                "--frames", 10])
+        at_once(self.compare_shared, [
+            (ranks, lambda folder, name=name: [BIN / "openrt-render", MODEL, "-o", folder / name,
+                                               "--size", "320x240", "--frames", 3], packing)
+            for ranks, name in ((2, "out.png"), (4, "out.exr"))
+            for packing in ({}, {"OPENRT_MPI_PACK": "always"})])
 
     def test_frames_of_scenes_that_change(self):
         self.assertEqual(self.compare(1, self.program("frames")), 0)
         for ranks in (2, 3, 4):
             self.compare_shared(ranks, self.program("frames"))
+
+    def test_packed_tiles_are_fewer_bytes(self):
+        program = [BIN / "mpi_program", self.folder / "out", "frames"]
+        for packing, fewer in (("always", True), ("never", False)):
+            for _ in range(8):
+                text = mpirun((2, {"OPENRT_MPI_PACK": packing}, program)).stderr
+                found = re.search(r"received (\d+) bytes of pixels as (\d+);", text)
+                if int(found[1]) > 0:
+                    break
+            self.assertEqual(int(found[2]) < int(found[1]), fewer, text)
+            self.assertGreater(int(found[2]), 0)
 
     def test_pictures_that_become_textures(self):
         self.compare_shared(3, self.program("copy"))
@@ -168,6 +193,7 @@ class Jobs(unittest.TestCase):
             folder.mkdir()
         program = [str(part) for part in command(together)]
         program[program.index("--rt-offscreen") + 1] = str(frames)
+        program[program.index("--rt-size") + 1] = "160x120"
         job = subprocess.Popen(["mpirun", "--enable-recovery", "-n", "3", *program],
                                env=environment(OPENRT_THREADS="1"), text=True,
                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
@@ -189,8 +215,8 @@ class Jobs(unittest.TestCase):
         self.assertTrue(killed, text)
         program[-1] = str(single / "frame%03d.png")
         alone(*program)
-        self.assertEqual(self.files("together"), self.files("alone"))
-        self.assertEqual(len(self.files("alone")), frames)
+        self.assertEqual(self.files(together), self.files(single))
+        self.assertEqual(len(self.files(single)), frames)
 
     def test_ranks_of_different_instruction_sets(self):
         path = self.folder / "alone"
@@ -263,5 +289,26 @@ class Jobs(unittest.TestCase):
         self.assertIn("renders alone: libOpenRT-mpi.so.0", result.stderr)
 
 
+def main():
+    with concurrent.futures.ThreadPoolExecutor(3) as pool:
+        tests = unittest.defaultTestLoader.loadTestsFromTestCase(Jobs)
+        results = list(pool.map(run_timed, tests))
+    for test, result, seconds in results:
+        print(f"{test.id()}: {seconds:.1f} s {'' if result.wasSuccessful() else 'FAILED'}")
+        for _, text in result.errors + result.failures:
+            print(text)
+        for _, reason in result.skipped:
+            print(f"  skipped: {reason}")
+    print(f"{next(Jobs.compared)} jobs had the same pictures as one thread, other ranks had a part "
+          f"in {next(Jobs.shared)} of them")
+    return not results or not all(result.wasSuccessful() for _, result, _ in results)
+
+
+def run_timed(test):
+    result, start = unittest.TestResult(), time.monotonic()
+    test.run(result)
+    return test, result, time.monotonic() - start
+
+
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    sys.exit(main())

@@ -2,10 +2,13 @@
 /* mpi_program OUTPUT WAY: a picture through the public interface, to be run by mpirun.
  * Ways: frames (several, of changing scenes), copy (a picture becomes a texture of the next),
  * contexts (two, with frames in both queues), exit (leaves without rtExit), abandon (in the middle
- * of a frame), plugin (a shader of a library). Prints the library's errors. */
+ * of a frame), plugin (a shader of a library), clock (many frames; prints how many milliseconds each
+ * took). Prints the library's errors. */
+#define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "openrt/rt.h"
 
@@ -121,6 +124,27 @@ static void plugin(void) {
     for (i = 0; i < 3; ++i) frames(3);
 }
 
+static double milliseconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+static void clockFrames(void) {
+    const RTuint object = wave(40);
+    int i;
+    for (i = 0; i < 400; ++i) {
+        const double start = milliseconds();
+        camera();
+        rtRotatef((float)i, 0.2f, 1.0f, 0.1f);
+        rtInstantiateObject(object);
+        rtRender();
+        printf("%.3f\n", milliseconds() - start);
+        fflush(stdout);
+        print();
+    }
+}
+
 int main(int argc, char *argv[]) {
     const char *way;
     if (argc < 3) return 2;
@@ -135,6 +159,7 @@ int main(int argc, char *argv[]) {
     if (strcmp(way, "copy") == 0) copy();
     if (strcmp(way, "contexts") == 0) contexts();
     if (strcmp(way, "plugin") == 0) plugin();
+    if (strcmp(way, "clock") == 0) clockFrames();
     if (strcmp(way, "exit") == 0) {
         frames(2);
         fclose(output);

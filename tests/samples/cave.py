@@ -78,6 +78,27 @@ class Cave(unittest.TestCase):
             for y in range(SIZE):
                 self.assertEqual(row(picture, y)[:SIZE], row(picture, y)[SIZE:])
 
+    def test_latency_is_reported(self):
+        for mono, steps in (([], ["left eye rendered", "right eye rendered", "written"]),
+                            (["--mono"], ["rendered", "written"])):
+            result = self.run_program("--frames", "3", "--report-latency", *mono)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            lines = result.stdout.splitlines()[2:]
+            self.assertEqual(len(lines), 4 * len(steps))
+            rendered = []
+            for i, line in enumerate(lines):
+                wall = ("front", "left", "right", "floor")[i // len(steps)]
+                self.assertTrue(line.startswith(wall), line)
+                self.assertIn(steps[i % len(steps)], line)
+                median, worst = map(float, line.split()[-2:])
+                self.assertGreaterEqual(worst, median)
+                self.assertGreaterEqual(median, 0)
+                if "rendered" in line:
+                    rendered.append(worst)
+                else:  # what is written was rendered
+                    self.assertGreaterEqual(worst, max(rendered[-len(steps) + 1:]))
+            self.assertEqual(len(rendered), 4 * (len(steps) - 1))
+
     def test_wrong_input(self):
         (self.folder / "bad.path").write_text("0 1 2\n")
         for arguments, more in ((["--side", "0"], {}), (["--scale", "nan"], {}),

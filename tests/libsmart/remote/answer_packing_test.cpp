@@ -177,35 +177,50 @@ TEST(AnswerPacking, AnythingIsTakenWithoutHarm) {
     EXPECT_GT(refused, 10000u);
 }
 
-// Figures as a worker has them, whose threads make more tiles than come through.
-TEST(AnswerPacking, SlowLinesArePackedForAndTriedAgain) {
-    AnswerPacker packer(&kCodec, Packing::WhenItPays, 1000);
+// Eight threads that make eight tiles a second, of which so many come through unpacked.
+struct Sums {
+    unsigned packed = 0, plain = 0;
+};
+Sums sendTiles(AnswerPacker& packer, double throughput, unsigned count, bool mayPack) {
     const PixelTarget target = targets()[8];
     const std::size_t size = storedTileSize(target, kTiles[0]);
     std::mt19937 random(5);
     const std::vector<std::byte> bytes = someBytes(size, true, random);
     PackMemory memory;
-    uint64_t sent = 0, packed = 0, plain = 0;
-    for (int i = 0; i < 40000; ++i) {
+    static PackingChoice::Clock::time_point now;
+    static uint64_t sent = 0;
+    Sums sums;
+    for (unsigned i = 0; i < count; ++i) {
         const std::size_t travels =
-            packer.pack(storedLayout(target), kTiles[0], bytes, 1e-3, true, memory).size();
-        sent += travels;
-        (travels < size ? packed : plain) += 1;
-        // A kilobyte in a tenth of a millisecond at the very least: the threads make a thousand.
-        if (packed + plain < 300) {
-            const auto end = PackingChoice::Clock::now() + std::chrono::microseconds(100);
-            while (PackingChoice::Clock::now() < end) {}
-        }
-        packer.arrived(sent);
-        if (i == 300) packed = plain = 0;
+            packer.pack(storedLayout(target), kTiles[0], bytes, 1.0, mayPack, memory).size();
+        (travels < size ? sums.packed : sums.plain) += 1;
+        const double seconds = std::max(1 / 8.0, double(travels) / double(size) / throughput);
+        now += std::chrono::nanoseconds(std::llround(seconds * 1e9));
+        packer.arrived(sent += travels, now);
     }
-    EXPECT_GT(packed, 5 * plain);
-    EXPECT_GT(plain, 1000u); // to see whether that has changed
-    packed = 0;
-    for (int i = 0; i < 100; ++i)
-        packed += packer.pack(storedLayout(target), kTiles[0], bytes, 1e-3, false, memory).size() <
-                  size;
-    EXPECT_EQ(packed, 0u); // the master has no time for it
+    return sums;
+}
+
+TEST(AnswerPacking, SlowLinesArePackedForAndTriedAgain) {
+    AnswerPacker packer(&kCodec, Packing::WhenItPays, 8);
+    const Sums fast = sendTiles(packer, 100, 4000, true);
+    EXPECT_LT(fast.packed, 100u); // to see what it would give
+    EXPECT_GT(fast.packed, 10u);
+    const Sums slow = sendTiles(packer, 1, 40000, true);
+    EXPECT_GT(slow.packed, 20 * slow.plain);
+    EXPECT_GT(slow.plain, 400u); // to see what the line carries
+    const Sums vetoed = sendTiles(packer, 1, 1000, false);
+    EXPECT_EQ(vetoed.packed, 0u);
+    const Sums again = sendTiles(packer, 100, 20000, true);
+    EXPECT_GT(again.plain, 10 * again.packed);
+}
+
+TEST(AnswerPacking, WishesAreFollowed) {
+    AnswerPacker never(&kCodec, Packing::Never, 8), none(nullptr, Packing::Always, 8),
+        always(&kCodec, Packing::Always, 8);
+    EXPECT_EQ(sendTiles(never, 1, 1000, true).packed, 0u);
+    EXPECT_EQ(sendTiles(none, 1, 1000, true).packed, 0u);
+    EXPECT_EQ(sendTiles(always, 100, 1000, true).plain, 0u);
 }
 
 } // namespace

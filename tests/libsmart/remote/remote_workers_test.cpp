@@ -4,8 +4,6 @@
 #include "libsmart/remote/remote_workers.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <cstring>
@@ -19,47 +17,12 @@
 #include "tests/libsmart/remote/shared_renderer.h"
 #include "tests/support/delayed_transport.h"
 #include "tests/support/socket_transport.h"
+#include "tests/support/worker_process.h"
 
 namespace smart::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// A worker process, ended in the end.
-class WorkerProcess {
-public:
-    WorkerProcess(const std::string& mode, unsigned number = 0) {
-        const SocketPair pair;
-        socket = pair.here;
-        const std::string there = std::to_string(pair.there), last = std::to_string(number);
-        id_ = fork();
-        if (id_ == 0) {
-            const int kept = dup(pair.there); // without closing on exec
-            execl(WORKER_PROCESS, WORKER_PROCESS, std::to_string(kept).c_str(), mode.c_str(),
-                  last.c_str(), nullptr);
-            _exit(9);
-        }
-        ::close(pair.there);
-    }
-    ~WorkerProcess() {
-        if (id_ <= 0) return;
-        kill(SIGKILL);
-        waitpid(id_, nullptr, 0);
-    }
-    WorkerProcess(WorkerProcess&& other) noexcept
-        : socket(other.socket), id_(std::exchange(other.id_, -1)) {}
-    void kill(int signal) const { ::kill(id_, signal); }
-    /// Waits for its end by itself; its exit status.
-    int wait() {
-        int status = -1;
-        waitpid(std::exchange(id_, -1), &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    int socket = -1; ///< of the transport
-
-private:
-    pid_t id_ = -1;
-};
 
 /// A master with its workers.
 class Company {
