@@ -38,6 +38,7 @@ run_long() {
     long_step accuracy $release/bin/openrt-accuracy --rays 10000000 \
         --json "$figures/accuracy.json"
     long_step "model of ranks" $release/bin/openrt-bench remote --scene generated:200000
+    long_step "queue of frames, its times" $release/bin/queue_figures_test times
     long_step start python3 -B tests/figures/start.py $release --json "$figures/start.json"
     long_step "reproducible build" python3 -B tests/figures/reproducible.py \
         --json "$figures/reproducible.json"

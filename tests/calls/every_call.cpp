@@ -18,7 +18,7 @@
 #include <string>
 #include <thread>
 
-#include "tests/calls/api_calls.h"
+#include "tests/calls/values.h"
 #include "tests/calls/host_state.h"
 #include "tests/calls/observation.h"
 #include "tests/calls/places.h"

@@ -187,7 +187,7 @@ def section(function):
     if function.result != "void":
         made = f"given({made})"
     unused = "" if function.parameters else "[[maybe_unused]] "
-    return (f"inline void call_{function.name}({unused}const Value* args) {{\n"
+    return (f"void call_{function.name}({unused}const Value* args) {{\n"
             f"    {made};\n}}\n")
 
 
@@ -205,10 +205,10 @@ def main():
     output = parser.parse_args().output
     functions = api_functions.functions()
     tokens = sorted(set(api_functions.tokens().values()))
-    text = ["// SPDX-License-Identifier: MIT", "// Made by generate_calls.py.", "#pragma once", "",
-            '#include "tests/calls/values.h"', "", "namespace openrt::test {", ""]
+    text = ["// SPDX-License-Identifier: MIT", "// Made by generate_calls.py.",
+            '#include "tests/calls/values.h"', "", "namespace openrt::test {", "namespace {", ""]
     text += [section(function) for function in functions]
-    text += ["inline const std::vector<ApiFunction>& apiFunctions() {",
+    text += ["} // namespace", "", "const std::vector<ApiFunction>& apiFunctions() {",
              "    static const std::vector<ApiFunction> all = {"]
     text += [entry(function) for function in functions]
     text += ["    };", "    return all;", "}", "", "} // namespace openrt::test", ""]

@@ -105,7 +105,9 @@ struct ApiFunction {
     std::vector<ApiParameter> parameters;
 };
 
-/// All of the library's tokens.
+/// All of the library's functions; generate_calls.py writes the table.
+const std::vector<ApiFunction>& apiFunctions();
+/// All of its tokens.
 const std::vector<RTenum>& apiTokens();
 
 inline constexpr unsigned kSide = 16;

@@ -55,7 +55,7 @@ PROGRAMS = {
 
 
 def name_hash(name):
-    """As api_calls_fuzz.cpp has it."""
+    """As api_program.h has it."""
     value = 2166136261
     for byte in name.encode():
         value = ((value ^ byte) * 16777619) & 0xFFFFFFFF
@@ -83,6 +83,57 @@ def api_calls():
     for i in range(0, len(names), 32):  # every function once
         found[f"all-{i:03}"] = calls(names[i:i + 32], functions)
     return found
+
+
+def forged_calls(names, functions, generator=None):
+    """Calls as forged_stream.cpp has them: kind of record, function, place, arguments, attachments
+    and damage; what a call makes has an outcome after it."""
+    data = b""
+    for name in names:
+        function = functions[name]
+        data += b"\0" + struct.pack("<H", name_hash(name)) + b"\0"
+        for _ in function.parameters:
+            legal = generator is None or generator.random() < 0.8
+            data += bytes([generator.randrange(112) if generator and legal else 0 if legal
+                           else generator.randrange(112, 256)])
+        data += bytes(2)
+        if function.result == "RTuint":  # most of them are names
+            data += bytes(2)
+    return data
+
+
+def trace():
+    functions = {function.name: function for function in api_functions.functions()}
+    generator = random.Random(2010)
+    start = "rtSetFrameBuffer rtViewport "
+    programs = {name: (start + text).split() for name, text in PROGRAMS.items()}
+    programs["names"] = (start + "rtuNewQuadric rtuSphere rtuQuadricCallback rtuNewTess "
+                         "rtuTessCallback rtuTessBeginPolygon rtuTessEndPolygon rtGenTextures "
+                         "rtGenBuffers rtReadPixels rtuDeleteTess rtuDeleteQuadric").split()
+    found = {name: forged_calls(words, functions) for name, words in programs.items()}
+    found |= {f"{name}-wrong": forged_calls(words, functions, generator)
+              for name, words in programs.items()}
+    names = sorted(functions)
+    for i in range(0, len(names), 48):  # every function once
+        found[f"all-{i:03}"] = forged_calls(names[i:i + 48], functions)
+    arrays = bytes([255 - 7, 0, 0, 3, 7]) + b"\0"  # one array of vertices: what draws it needs
+    draw = b"\0" + struct.pack("<H", name_hash("rtDrawArrays")) + bytes(4)
+    found["drawn-arrays"] = forged_calls(start.split(), functions) + draw + arrays
+    return found | {f"random-{i}": generator.randbytes(300) for i in range(12)} | {
+        "file": b"\xff" + struct.pack("<IIBBHI", 16, 0, 1, 0, 0, 0)}
+
+
+def messages():
+    generator = random.Random(2011)
+    # Peers of a master: greet, are ready for a frame, answer. Of a worker: call, tile, end.
+    greeting = bytes([0, 0, 2, 0, 1, 0, 2, 0])
+    answers = bytes([0, 1, 0, 0, 0, 1, 1, 0, 0, 0]) + bytes([0, 2, 1, 0, 1, 2, 1, 0]) * 4
+    served = b"".join(bytes([0, 5, i, 0, 0, 6, i, 0, 0]) for i in (1, 2, 200)) + bytes(
+        [0, 7, 0, 0, 0, 0, 8, 1, 0, 0])
+    found = {"master": b"\1" + greeting + answers, "worker": b"\2" + served,
+             "leave": bytes([2, 0, 9, 200, 0]), "calls": bytes([0, 5, 3]) + bytes(7) + b"abc"}
+    found |= {f"parser-{kind}": bytes([0, kind]) + generator.randbytes(60) for kind in range(12)}
+    return found | {f"random-{i}": generator.randbytes(120) for i in range(12)}
 
 
 def png(width, height, kind, channels, rows):
@@ -172,7 +223,7 @@ def shader_class():
 
 TARGETS = {"api_calls": api_calls, "gltf": gltf, "mesh": mesh, "tri": tri, "image": image,
            "plugin_file": plugin_file, "shader_parameters": shader_parameters,
-           "shader_class": shader_class}
+           "shader_class": shader_class, "trace": trace, "messages": messages}
 
 
 def main():

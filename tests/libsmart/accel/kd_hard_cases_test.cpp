@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <new>
 #include <random>
 
@@ -41,29 +40,45 @@ namespace {
 constexpr uint32_t kCount = test::kSanitized ? 10000 : 100000;
 constexpr double kMaxReferences = test::kSanitized ? 8 : 4; // a triangle; 8 for any input
 
+/// Counts how often triangles are clipped to cells.
+class CountedTriangles final : public test::TrianglePrimitives {
+public:
+    using TrianglePrimitives::TrianglePrimitives;
+    Aabb clipped(uint32_t prim, const Aabb& cell) const override {
+        ++clips;
+        return TrianglePrimitives::clipped(prim, cell);
+    }
+    mutable std::atomic<uint64_t> clips{0};
+};
+
 class KdHardCases : public testing::Test {
 protected:
-    /// Builds with one thread and with two and holds the result to its bounds.
+    /// Builds with one thread and with two and holds the result to its bounds. Steps are counted
+    /// and not timed: others may be at work on the machine. On each level a reference has two
+    /// events an axis and is clipped for both children at most.
     void expectBounded(const std::vector<Triangle>& mesh) {
         for (const unsigned threads : {1u, 2u}) {
             KdBuildOptions options;
             options.threads = threads;
             const std::size_t before = liveBytes;
             peakBytes = before;
-            const std::clock_t start = std::clock(); // of the processor: others may be at work
-            const KdTree tree = buildKdTree(test::TrianglePrimitives(mesh), options);
-            const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+            const CountedTriangles triangles(mesh);
+            KdBuildStats stats;
+            const KdTree tree = buildKdTree(triangles, options, &stats);
+            const double levels = double(mesh.size()) * (stats.depth + 1.0);
+            const double events = double(stats.events) / levels;
+            const double clips = double(triangles.clips) / levels;
             const double bytes = double(peakBytes - before) / double(mesh.size());
             const double references = double(tree.prims.size()) / double(mesh.size());
-            RecordProperty("seconds", std::to_string(seconds));
+            RecordProperty("events", std::to_string(events));
+            RecordProperty("clips", std::to_string(clips));
             RecordProperty("bytes", std::to_string(bytes));
             RecordProperty("references", std::to_string(references));
             EXPECT_EQ(test::checkKdStructure(tree, uint32_t(mesh.size())), "");
             EXPECT_LE(references, kMaxReferences);
             EXPECT_LT(bytes, 300.0);
-            if (!test::kSanitized) {
-                EXPECT_LT(seconds, 3.0); // about 0.7 at worst on a free core
-            }
+            EXPECT_LE(events, 6 * kMaxReferences);
+            EXPECT_LE(clips, 2 * kMaxReferences);
         }
     }
 

@@ -49,6 +49,12 @@ public:
         options.deafAfter = 2s;
         return options;
     }
+    /// Nobody is called late, however busy the machine is.
+    static RemoteOptions patient() {
+        RemoteOptions options = quick();
+        options.stallAfter = options.deafAfter = 1h;
+        return options;
+    }
     QueuedFramePtr submit(const TestFrame& frame, bool picture = false) {
         const FrameCall call{frame.frame->id, frame.frame->target.width,
                              frame.frame->target.height, picture, 0};
@@ -95,7 +101,7 @@ constexpr uint32_t kWidth = 333, kHeight = 217; // 77 tiles
 
 TEST(RemoteWorkers, FramesAreSharedAndComplete) {
     for (const unsigned count : {0u, 1u, 3u}) {
-        Company company(workers(count), Company::quick(), 1, slowly);
+        Company company(workers(count), Company::patient(), 1, slowly);
         ASSERT_TRUE(company.remote->waitForPeers(10s));
         EXPECT_EQ(company.remote->working(), count);
         std::list<TestFrame> frames;
@@ -201,7 +207,7 @@ TEST(RemoteWorkers, SlowOnesDoNotHoldUpTheFrame) {
 TEST(RemoteWorkers, OthersLibrariesAreLeftOut) {
     std::vector<WorkerProcess> all = workers(1);
     all.emplace_back("other");
-    Company company(std::move(all), Company::quick(), 1, slowly);
+    Company company(std::move(all), Company::patient(), 1, slowly);
     ASSERT_TRUE(company.remote->waitForPeers(10s));
     EXPECT_EQ(company.remote->working(), 1u);
     TestFrame frame(1, kWidth, kHeight);
@@ -213,7 +219,7 @@ TEST(RemoteWorkers, OthersLibrariesAreLeftOut) {
 }
 
 TEST(RemoteWorkers, WhoCanNotGoOnSaysSo) {
-    Company company(workers(1, "diverge"), Company::quick(), 1, slowly);
+    Company company(workers(1, "diverge"), Company::patient(), 1, slowly);
     ASSERT_TRUE(company.remote->waitForPeers(10s));
     for (uint64_t id = 1; id <= 6; ++id) {
         TestFrame frame(id, kWidth, kHeight);
