@@ -90,19 +90,24 @@ def queue_table(report):
         ["the same, longest", f"{1e3 * q['longestTile']:.2f} ms"]])
 
 
-def sample_table(report, dynamic):
-    """Beside the samples, what changes in them in Embree, with camera rays alone."""
-    peers = {}
-    for series in dynamic.get("series", []):
-        rate = best_peer(series)
-        if rate and series["scene"] == "sheet":
-            peers["sheet"] = f"{1 / rate:.3g}: a sheet of {series['triangles']:,} triangles"
-        elif rate and series["instances"] == 10000:
-            peers["shoal"] = f"{1 / rate:.3g}: 10,000 moving balls"
-    return table(["sample", "frames a second", "describe, ms",
-                  "steps a second of the like in Embree, camera rays alone"],
-                 [[s["sample"], f"{s['rate']:.3g}", milliseconds(s["describe"]),
-                   peers.get(s["sample"], "-")] for s in report["samples"]])
+def sample_table(report):
+    peers = {peer["sample"]: peer for peer in report.get("peers", [])}
+    rows = []
+    for s in report["samples"]:
+        row = [s["sample"], f"{s['rate']:.3g}", milliseconds(s["describe"])]
+        peer = peers.get(s["sample"])
+        if peer:
+            own = 1 / peer["rate"] - peer["commit"] - peer["trace"]
+            best = 1 / (peer["commit"] + peer["trace"] + max(own, 0) / 2)
+            row += [f"{peer['rate']:.3g}", f"{best:.3g}", peer["way"],
+                    milliseconds(max(own, 0)), milliseconds(peer["commit"]),
+                    milliseconds(peer["trace"]), f"{1e-3 * peer['rays']:,.0f}"]
+        else:
+            row += ["-"] * 7
+        rows.append(row)
+    return table(["sample", "frames a second", "describe, ms", "Embree without shading",
+                  "the same, no thread idle", "way", "program, ms", "commit, ms", "trace, ms",
+                  "thousand rays a frame"], rows)
 
 
 def memory_table(rows):
@@ -214,9 +219,8 @@ def main():
         if "queue" in report:
             text = fill(text, "queue", queue_table(report))
     if options.samples:
-        dynamic = json.loads(options.dynamic.read_text(encoding="utf-8")) if options.dynamic else {}
         report = json.loads(options.samples.read_text(encoding="utf-8"))
-        text = fill(text, "samples", sample_table(report, dynamic))
+        text = fill(text, "samples", sample_table(report))
     if options.memory:
         report = json.loads(options.memory.read_text(encoding="utf-8"))
         text = fill(text, "memory of objects", memory_table(report["objectRows"]))
