@@ -17,8 +17,8 @@ class MpiRanks : public Transport {
 public:
     virtual unsigned rank() const = 0;
     virtual const ByteCodec& codec() const = 0;
-    /// Ends MPI in this process, together with the other ranks; false: they did not join in within
-    /// this time.
+    /// Ends MPI in this process, together with the other ranks; false: they did not join in, and
+    /// for so long nothing moved between them.
     virtual bool finish(std::chrono::milliseconds timeout) noexcept = 0;
 };
 

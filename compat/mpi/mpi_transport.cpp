@@ -90,7 +90,11 @@ bool MpiTransport::finish(std::chrono::milliseconds timeout) noexcept {
     std::unique_lock lock(mutex_);
     finishing_ = true;
     wake_.notify_one();
-    return changed_.wait_for(lock, timeout, [&] { return finished_; });
+    for (uint64_t before = 0;;) {
+        before = moved_;
+        if (changed_.wait_for(lock, timeout, [&] { return finished_; })) return true;
+        if (moved_ == before) return false;
+    }
 }
 
 // The thread that calls MPI.
@@ -200,6 +204,7 @@ bool MpiTransport::endSends() {
             const std::lock_guard lock(mutex_);
             --peers_[sending_[i].peer].underWay;
             --unsent_;
+            ++moved_;
             if (result != MPI_SUCCESS) loseLocked(sending_[i].peer);
         }
         changed_.notify_all();
@@ -230,6 +235,7 @@ bool MpiTransport::takeMessage() {
     const int result = MPI_Mrecv(arrival.message.data(), int(arrival.message.size()), MPI_BYTE,
                                  &matched, MPI_STATUS_IGNORE);
     const std::lock_guard lock(mutex_);
+    ++moved_;
     if (arrival.peer >= peers_.size() || peers_[arrival.peer].closed) return true;
     if (fits && result != MPI_SUCCESS) {
         loseLocked(arrival.peer);

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <mutex>
 #include <string>
@@ -72,6 +73,7 @@ private:
     std::vector<Peer> peers_;
     std::deque<Arrival> arrivals_;
     std::size_t unsent_ = 0; ///< messages that MPI has not finished with
+    uint64_t moved_ = 0; ///< messages that were sent or came
     bool started_ = false, finishing_ = false, finished_ = false;
     std::string problem_;
     std::thread thread_;

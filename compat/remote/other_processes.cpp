@@ -35,7 +35,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kStart = 10s; ///< so long all processes have for the way to rtInit
-constexpr auto kEnd = 5s;   ///< and from the last one's
+constexpr auto kEnd = 10s;  ///< and, when nothing moves, for the end
 
 void warn(const std::string& text) noexcept {
     std::fprintf(stderr, "openrt: %s\n", text.c_str());

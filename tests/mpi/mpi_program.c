@@ -133,7 +133,8 @@ static double milliseconds(void) {
 static void clockFrames(void) {
     const RTuint object = wave(40);
     int i;
-    for (i = 0; i < 400; ++i) {
+    rtSamples(64);
+    for (i = 0; i < 120; ++i) {
         const double start = milliseconds();
         camera();
         rtRotatef((float)i, 0.2f, 1.0f, 0.1f);

@@ -15,9 +15,10 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
 PROGRAM, JOBS = pathlib.Path(sys.argv[1]).resolve(), int(sys.argv[2]) if len(sys.argv) > 2 else 5
-KEPT = 40  # frames between two losses
+KEPT = 8  # frames between two losses
 
 
 def environment():
@@ -45,8 +46,9 @@ def delays(how, output):
         found, stopped = [], []
         try:
             for rank in (3, 2, 1):
-                usual = [float(job.stdout.readline()) for _ in range(20 + random.randrange(10))]
+                usual = [float(job.stdout.readline()) for _ in range(6 + random.randrange(4))]
                 process = process_of(job.pid, rank)
+                time.sleep(statistics.median(usual) * 1e-3 * random.uniform(0.2, 0.6))
                 os.kill(process, how)
                 if how == signal.SIGSTOP:
                     stopped.append(process)
