@@ -90,7 +90,8 @@ class Works(unittest.TestCase):
         elif isinstance(what, Fragment):
             (self.reader.folder / "fragment.c").write_text(
                 PROGRAM.format(declarations=what.declarations, before=what.before, fragment=text))
-            self.reader.run("cc -std=c99 -Wall -Wextra fragment.c -o fragment -lOpenRT && ./fragment")
+            self.reader.run("cc -std=c99 -Wall -Wextra fragment.c -o fragment -lOpenRT")
+            self.reader.run("./fragment")
             return 1
         elif isinstance(what, Commands):
             found = list(commands_to_run(text, what))
