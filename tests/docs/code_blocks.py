@@ -127,7 +127,8 @@ BLOCKS = {
     },
     "docs/tracing.md": {
         "openrt-trace record": Commands(
-            {"320x240": "32x24 --rt-offscreen 2 --rt-output lamp%d.png", "| less": "> calls.txt"}, files={"lamp": "docs/porting.md"}),
+            {"320x240": "32x24 --rt-offscreen 2 --rt-output lamp%d.png", "| less": "> calls.txt"},
+            files={"lamp": "docs/porting.md"}),
     },
     "docs/virtual-reality.md": {
         "rtSetFrameBuffer(wall[0]": Fragment(
