@@ -58,7 +58,7 @@ def section(source, words, seconds):
     return [f"## {source.stem}", "", f"![{source.stem}](pictures/gallery/{source.stem}.png)", "",
             f"{about(source)}", "",
             f"[{path}](../{path}), {lines} lines; the whole program ran for {seconds:.2f} s.", "",
-            "```", shlex.join(words), "```", ""]
+            "```sh", shlex.join(words), "```", ""]
 
 
 def main():

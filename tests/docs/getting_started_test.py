@@ -4,26 +4,17 @@
 
 usage: getting_started_test.py BUILD_DIR C_COMPILER
 """
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
 
 from pages import ROOT, blocks, commands
+from reader import Reader
 
 BUILD, COMPILER = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 TEXT = (ROOT / "docs/getting-started.md").read_text(encoding="utf-8")
-
-PC = """Name: {name}
-Description: the build tree
-Version: 0
-Cflags: -I{root}/include -I{build}/include
-Libs: -L{build}/lib {libraries}
-"""
-
 
 def ppm(data):
     head, body = re.match(rb"P6\n(\d+ \d+)\n255\n(.*)", data, re.DOTALL).groups()
@@ -41,9 +32,7 @@ class GettingStarted(unittest.TestCase):
         assert len(names) == len(programs)
         for name, program in zip(names, programs):
             (cls.folder / name).write_text(program)
-        for name, libraries in (("openrt", "-lOpenRT"), ("rtut", "-lrtut -lOpenRT")):
-            (cls.folder / f"{name}.pc").write_text(
-                PC.format(name=name, root=ROOT, build=BUILD, libraries=libraries))
+        cls.reader = Reader(cls.folder, BUILD, {"cc": f"{COMPILER} -std=c99 -Wall -Wextra"})
 
     @classmethod
     def tearDownClass(cls):
@@ -51,16 +40,9 @@ class GettingStarted(unittest.TestCase):
 
     def run_commands(self, name):
         """Those of the page that speak of a program; what the last of them printed."""
-        environment = {**os.environ, "PKG_CONFIG_PATH": str(self.folder),
-                       "LD_LIBRARY_PATH": str(BUILD / "lib")}
         wanted = [c for c in commands(TEXT) if re.search(rf"(^cc {name}\.c |^\./{name}( |$))", c)]
         self.assertEqual(len(wanted), 2)
-        for command in wanted:
-            command = re.sub(r"^cc ", f"{COMPILER} -Wall -Wextra -Werror -std=c99 ", command)
-            result = subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment,
-                                    capture_output=True, text=True, timeout=120)
-            self.assertEqual((result.returncode, result.stderr), (0, ""), command)
-        return result.stdout
+        return [self.reader.run(command) for command in wanted][-1]
 
     def test_picture(self):
         self.run_commands("picture")

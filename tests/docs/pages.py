@@ -64,3 +64,27 @@ def commands(text):
                 yield line
     for line in re.findall(r"^ {4}(openrt-.*)$", text, flags=re.MULTILINE):
         yield line
+
+
+def code_blocks(text):
+    """(language, text) of every block of code, fenced or indented by four columns."""
+    found, fence, indented, blank = [], None, [], True
+    for line in [*text.split("\n"), ""]:
+        if fence is not None:
+            if line.startswith("```"):
+                found.append((fence[0], "".join(fence[1:])))
+                fence = None
+            else:
+                fence.append(line + "\n")
+        elif line.startswith("    ") and (blank or indented):
+            indented.append(line[4:] + "\n")
+        elif indented and not line:
+            indented.append("\n")
+        else:
+            if indented:
+                found.append(("", "".join(indented).rstrip("\n") + "\n"))
+            indented = []
+            if line.startswith("```"):
+                fence = [line[3:].strip()]
+        blank = not line
+    return found
