@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t kInstancesOfPart = 2048;
 /// Fewer are looked at in less time than it takes to start a thread and to wait for it.
 constexpr std::size_t kInstancesForThreads = 32768;
+/// Of fewer the better tree takes a small part of a frame's time, whatever else there is in it.
+constexpr std::size_t kInstancesForFastTree = 4096;
 
 float roundedDown(double value) {
     constexpr double kMax = std::numeric_limits<float>::max();
@@ -30,20 +32,27 @@ float roundedUp(double value) {
     return -roundedDown(-value);
 }
 
-/// Box around the transformed box, as the eight corners span it. Padded by some units in the last
-/// place of its terms, since rays are rounded to float in object space.
-Aabb transformed(const AffineColumns& matrix, const Aabb& box) {
+/// Box around what is in the transformed box, as the eight corners span it or the ellipsoid of this
+/// reach (corner_reach.h), whichever is less. Padded by some units in the last place of its terms,
+/// since rays are rounded to float in object space.
+Aabb transformed(const AffineColumns& matrix, const Aabb& box, double reach) {
     Aabb result;
     if (box.empty()) return result;
     for (int row = 0; row < 3; ++row) {
         double lo = matrix[3][row], hi = lo, magnitude = std::fabs(lo);
+        double middle = lo, squares = 0;
         for (int column = 0; column < 3; ++column) {
             const double a = matrix[column][row] * box.lo[column];
             const double b = matrix[column][row] * box.hi[column];
             lo += std::min(a, b);
             hi += std::max(a, b);
             magnitude += std::max(std::fabs(a), std::fabs(b));
+            middle += 0.5 * (a + b);
+            squares += 0.25 * (b - a) * (b - a);
         }
+        const double half = reach * std::sqrt(squares);
+        if (middle - half > lo) lo = middle - half; // not where something overflows: NaN
+        if (middle + half < hi) hi = middle + half;
         const double pad = 0x1p-21 * magnitude;
         result.lo[row] = roundedDown(lo - pad);
         result.hi[row] = roundedUp(hi + pad);
@@ -67,14 +76,14 @@ bool complete(InstanceView& instance, Aabb& box) {
     instance.model = nullptr;
     if (!instance.identity && !isInvertible(instance.toParent)) return false;
     if (!model) return true;
-    box = transformed(instance.toParent, model->bounds);
+    box = transformed(instance.toParent, model->bounds, model->reach());
     if (!box.empty()) instance.model = &model->view();
     return true;
 }
 
 } // namespace
 
-InstanceGroup::InstanceGroup(InstanceList instances, unsigned threads)
+InstanceGroup::InstanceGroup(InstanceList instances, unsigned threads, GroupLife life)
     : list_(std::move(instances)) {
     const FpEnvironment standard;
     list_.shrink();
@@ -98,7 +107,10 @@ InstanceGroup::InstanceGroup(InstanceList instances, unsigned threads)
         dropped_ += part.dropped;
         bounds_.add(part.bounds);
     }
-    if (views.size() > 1) tree_ = buildWideTree(boxes, std::max(threads, 1u), kInstanceCosts);
+    if (views.size() < 2) return;
+    const bool fast = life == GroupLife::OneFrame && views.size() >= kInstancesForFastTree;
+    tree_ = (fast ? buildWideTreeFast : buildWideTree)(boxes, std::max(threads, 1u),
+                                                       kInstanceCosts);
 }
 
 void InstanceGroup::show(ModelView& view) const {

@@ -10,6 +10,9 @@
 
 namespace smart {
 
+/// How long a group is expected to last: which builder makes its tree.
+enum class GroupLife { Lasting, OneFrame };
+
 /// Instances with the tree over them; what a scene is, and what an object that nests others adds
 /// to its triangles. An instance whose matrix is singular or not finite, or whose model is empty,
 /// keeps its number but is never hit.
@@ -17,7 +20,7 @@ class InstanceGroup {
 public:
     InstanceGroup() = default;
     /// Throws std::bad_alloc. threads: how many may build the tree.
-    InstanceGroup(InstanceList instances, unsigned threads);
+    InstanceGroup(InstanceList instances, unsigned threads, GroupLife life = GroupLife::Lasting);
 
     std::span<const InstanceView> instances() const { return list_.views(); }
     /// What instances have in common, each once.

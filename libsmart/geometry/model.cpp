@@ -67,6 +67,9 @@ Model::Model(std::shared_ptr<const ShadingData> shadingData,
 Model::~Model() = default;
 
 const ModelView& Model::view() const { return trees_->view(); }
+double Model::reach() const {
+    return children.bounds().empty() ? trees_->reach() : kReachesCorners;
+}
 const KdTree& Model::kdTree() const { return trees_->kdTree(); }
 uint64_t Model::treeEvents() const { return trees_->events(); }
 bool Model::treesBuilt() const { return trees_->built(); }

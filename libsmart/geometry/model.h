@@ -103,6 +103,8 @@ struct Model {
     Aabb bounds; ///< of triangles and children
 
     const ModelView& view() const;
+    /// How far all of it reaches into the corners of `bounds`; see cornerReach().
+    double reach() const;
     /// Empty where there is none: of a lazy model before the first ray, and where another tree was
     /// asked for.
     const KdTree& kdTree() const;

@@ -86,6 +86,7 @@ ModelTrees::ModelTrees(const ModelBuildOptions& options)
 TriangleBoxes ModelTrees::survey(const std::vector<Triangle>& triangles) {
     TriangleBoxes boxes(triangles, options_.threads);
     bounds_ = boxes.bounds;
+    reach_ = cornerReach(triangles, boxes);
     dropped_ = uint32_t(boxes.dropped);
     return boxes;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libsmart/accel/kd_tree.h"
+#include "libsmart/geometry/corner_reach.h"
 #include "libsmart/geometry/model.h"
 #include "libsmart/geometry/triangle_boxes.h"
 #include "libsmart/geometry/triangle_tree.h"
@@ -32,6 +33,7 @@ public:
 
     const ModelView& view() const { return view_; }
     const Aabb& bounds() const { return bounds_; }
+    double reach() const { return reach_; } ///< into the corners of the bounds
     uint32_t dropped() const { return dropped_; }
     bool built() const { return ready_.load(std::memory_order_acquire) != nullptr; }
     /// Empty where there is none, or none yet.
@@ -66,6 +68,7 @@ private:
     CountedBytes counted_;
     const std::vector<Triangle>* triangles_ = nullptr;
     Aabb bounds_;
+    double reach_ = kReachesCorners;
     uint32_t dropped_ = 0;
     KdTree kdTree_;
     TriangleTree wideTree_;

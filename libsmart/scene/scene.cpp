@@ -53,7 +53,7 @@ private:
 Scene::Scene(InstanceList instances, Precision precision, unsigned threads, bool lastOfEqual)
     : precision_(precision) {
     const auto start = std::chrono::steady_clock::now();
-    group_ = InstanceGroup(std::move(instances), threads);
+    group_ = InstanceGroup(std::move(instances), threads, GroupLife::OneFrame);
     group_.show(view_);
     view_.lastOfEqual = lastOfEqual;
     if (precision == Precision::Fast) {

@@ -12,8 +12,10 @@
 #include <random>
 #include <set>
 
+#include "libsmart/geometry/corner_reach.h"
 #include "libsmart/geometry/model_builder.h"
 #include "libsmart/kernel/affine_inverse.h"
+#include "tests/support/procedural_meshes.h"
 
 namespace smart {
 namespace {
@@ -193,9 +195,9 @@ TEST(InvertAffineTest, TheUsualWayGivesTheSameBits) {
     EXPECT_FALSE(isUsual(unusual));
 }
 
-TEST(InstanceGroupTest, BoxHoldsTheExactCornersAndLittleMore) {
+TEST(InstanceGroupTest, BoxHoldsTheExactVerticesAndLittleMoreThanTheCorners) {
     RandomMatrices random;
-    int tight = 0;
+    int tight = 0, smaller = 0;
     for (int i = 0; i < 2000; ++i) {
         Triangle triangle;
         for (float* corner : {triangle.v0, triangle.v1, triangle.v2}) {
@@ -209,7 +211,7 @@ TEST(InstanceGroupTest, BoxHoldsTheExactCornersAndLittleMore) {
         ASSERT_EQ(group.dropped(), 0u);
         const Aabb box = group.bounds();
         for (int row = 0; row < 3; ++row) {
-            mpq_class lo, hi;
+            mpq_class lo, hi, lowest, highest; // of the corners; of the vertices
             double magnitude = std::fabs(matrix[3][row]);
             for (int corner = 0; corner < 8; ++corner) {
                 mpq_class sum(matrix[3][row]);
@@ -221,14 +223,70 @@ TEST(InstanceGroupTest, BoxHoldsTheExactCornersAndLittleMore) {
                 if (corner == 0 || sum < lo) lo = sum;
                 if (corner == 0 || sum > hi) hi = sum;
             }
-            EXPECT_LE(mpq_class(box.lo[row]), lo);
-            EXPECT_GE(mpq_class(box.hi[row]), hi);
+            for (const float* const vertex : {triangle.v0, triangle.v1, triangle.v2}) {
+                mpq_class sum(matrix[3][row]);
+                for (int k = 0; k < 3; ++k) sum += mpq_class(matrix[k][row]) * mpq_class(vertex[k]);
+                if (vertex == triangle.v0 || sum < lowest) lowest = sum;
+                if (vertex == triangle.v0 || sum > highest) highest = sum;
+            }
+            EXPECT_LE(mpq_class(box.lo[row]), lowest);
+            EXPECT_GE(mpq_class(box.hi[row]), highest);
             EXPECT_GT(box.lo[row], lo.get_d() - 1e-6 * magnitude);
             EXPECT_LT(box.hi[row], hi.get_d() + 1e-6 * magnitude);
-            tight += box.lo[row] > lo.get_d() - 1e-9 * magnitude;
+            tight += box.lo[row] > lowest.get_d() - 1e-9 * magnitude;
+            smaller += box.lo[row] > lo.get_d() + 1e-3 * magnitude;
         }
     }
     EXPECT_EQ(tight, 0) << "rays are rounded in object space: no box without padding";
+    EXPECT_GT(smaller, 100) << "what does not reach the corners takes less room";
+}
+
+TEST(InstanceGroupTest, ABallTakesAsMuchRoomHoweverItIsTurned) {
+    ModelBuilder builder;
+    builder.triangles = test::bumpySphere(300);
+    const ModelPtr model = std::move(builder).build();
+    EXPECT_LT(model->reach(), 1.2);
+    for (int step = 0; step < 20; ++step) {
+        const double c = std::cos(0.15 * step), s = std::sin(0.15 * step);
+        const glm::dmat4x3 matrix(glm::dvec3(c, 0, s), glm::dvec3(0, 1, 0), glm::dvec3(-s, 0, c),
+                                  glm::dvec3(0.0));
+        const Aabb box = InstanceGroup({place(model, matrix)}, 1).bounds();
+        const double wide = model->bounds.hi[0] - model->bounds.lo[0];
+        EXPECT_LT(box.hi[0] - box.lo[0], 1.25 * wide) << step;
+    }
+    // Nested, and with a part that reaches into a corner, the box counts.
+    ModelBuilder outer;
+    outer.children = {place(model, glm::dmat4x3(1.0))};
+    EXPECT_EQ(std::move(outer).build()->reach(), kReachesCorners);
+    ModelBuilder cornered;
+    cornered.triangles = test::bumpySphere(300);
+    cornered.triangles.push_back({{1.2f, 1.2f, 1.2f}, {1.2f, 1.2f, 1.1f}, {1.2f, 1.1f, 1.2f}});
+    EXPECT_EQ(std::move(cornered).build()->reach(), kReachesCorners);
+}
+
+TEST(InstanceGroupTest, TreesForOneFrameHoldTheSameInstances) {
+    RandomMatrices random;
+    const ModelPtr model = unitModel(), empty = ModelBuilder().build();
+    for (const int count : {1, 2, 300, 5000}) {
+        for (const int holes : {0, 3, count}) {
+            std::vector<Instance> instances;
+            for (int i = 0; i < count; ++i) {
+                const bool isHole = holes == count ? i > 0 : holes && i % holes == 1;
+                instances.push_back(place(isHole ? empty : model, random.matrix(2)));
+            }
+            const InstanceGroup lasting(instances, 2);
+            const InstanceGroup frame(instances, 2, GroupLife::OneFrame);
+            const auto inTree = [](const InstanceGroup& group) {
+                return std::multiset<uint32_t>(group.tree().prims.begin(),
+                                               group.tree().prims.end());
+            };
+            EXPECT_EQ(inTree(frame), inTree(lasting));
+            for (int k = 0; k < 3; ++k) {
+                EXPECT_EQ(frame.bounds().lo[k], lasting.bounds().lo[k]);
+                EXPECT_EQ(frame.bounds().hi[k], lasting.bounds().hi[k]);
+            }
+        }
+    }
 }
 
 TEST(InstanceGroupTest, BoxesStayFiniteWhereTheTransformOverflows) {
