@@ -83,6 +83,11 @@ protected:
     OpenrtTree(const OpenrtTree&) = delete;
     OpenrtTree& operator=(const OpenrtTree&) = delete;
 
+    void enclose(const Aabb& box) {
+        static_cast<BoxView&>(scene_.childTree) = makeBoxView(box);
+        scene_.wideReady = 1;
+    }
+
     ModelView model_{};
 
 private:
@@ -95,6 +100,7 @@ public:
     KdTraced(const std::vector<Triangle>& triangles, KdTree tree)
         : OpenrtTree(triangles), tree_(std::move(tree)), triangles_(triangles.size()) {
         model_.tree = makeKdView(tree_, tree_.bounds);
+        enclose(tree_.bounds);
     }
     std::size_t bytes() const override { return tree_.bytes() + triangles_ * sizeof(Triangle); }
 
@@ -110,6 +116,7 @@ public:
         static_cast<BoxView&>(model_.wide) = makeBoxView(tree_.bounds());
         model_.wide.nodes = tree_.nodes().data();
         model_.wide.blocks = tree_.blocks();
+        enclose(tree_.bounds());
     }
     std::size_t bytes() const override { return tree_.bytes(); }
     float cost() const override { return tree_.cost(); }
