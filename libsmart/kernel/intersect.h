@@ -7,6 +7,29 @@
 
 namespace smart::SMART_ISA {
 
+/// Of a ray and the triangles of a block, sheared into its space, those that `all` names.
+HWY_INLINE void meetBlock(const Sheared<kPacketSize>& sheared, float scale, float doubtful,
+                          uint32_t all, float near, float best, BlockHits& hits) {
+    using R = Real<kPacketSize>;
+    hits.sure = hits.atStart = hits.unsure = 0;
+    R u, v, w;
+    sheared.edgeFunctions(u, v, w);
+    const R zero(0.0f), limit(best);
+    const auto inside = (min(min(u, v), w) >= zero) | (max(max(u, v), w) <= zero);
+    const uint32_t met = inside.bits() & all;
+    if (!met) return;
+    const R t =
+        (u * sheared.a[2] + v * sheared.b[2] + w * sheared.c[2]) * R(scale) / (u + v + w);
+    t.store(hits.t);
+    const uint32_t inRange = ((t >= R(near)) & (t <= limit)).bits();
+    const uint32_t undecided = met & ((u == zero) | (v == zero) | (w == zero)).bits();
+    const uint32_t atStart = met & (magnitude(t) <= R(doubtful)).bits();
+    const uint32_t close = met & (magnitude(t - limit) <= R(doubtful * 0x1p-6f)).bits();
+    hits.unsure = undecided | close;
+    hits.atStart = atStart & ~hits.unsure;
+    hits.sure = met & inRange & ~(hits.unsure | hits.atStart);
+}
+
 /// Woop, Benthin, Wald (2013). An edge function, a float difference of rounded products, has the
 /// exact sign unless it is zero, and then double products, which are exact, decide. That needs
 /// multiplication and subtraction to stay apart.
@@ -48,31 +71,16 @@ public:
                          BlockHits& hits) const
         requires(N == 1)
     {
-        using R = Real<kPacketSize>;
-        hits.sure = hits.atStart = hits.unsure = 0;
         if (someLarge_) {
+            hits.sure = hits.atStart = 0;
             hits.unsure = block.all();
             return;
         }
-        const Sheared<kPacketSize> sheared = shear_(block);
-        R u, v, w;
-        sheared.edgeFunctions(u, v, w);
-        const R zero(0.0f), limit(best.v);
-        const auto inside = (min(min(u, v), w) >= zero) | (max(max(u, v), w) <= zero);
-        const uint32_t met = inside.bits() & block.all();
-        if (!met) return;
-        const R t = (u * sheared.a[2] + v * sheared.b[2] + w * sheared.c[2]) *
-                    R(shear_.scale().v) / (u + v + w);
-        t.store(hits.t);
-        const uint32_t inRange = ((t >= R(near.v)) & (t <= limit)).bits();
-        const uint32_t undecided = met & ((u == zero) | (v == zero) | (w == zero)).bits();
-        const uint32_t atStart = met & (magnitude(t) <= R(doubtful_.v)).bits();
-        const uint32_t close =
-            met & (magnitude(t - limit) <= R((doubtful_ * Real<1>(0x1p-6f)).v)).bits();
-        hits.unsure = undecided | close;
-        hits.atStart = atStart & ~hits.unsure;
-        hits.sure = met & inRange & ~(hits.unsure | hits.atStart);
+        meetBlock(shear_(block), shear_.scale().v, doubtful_.v, block.all(), near.v, best.v, hits);
     }
+    /// How close, lane by lane, to its start or to its best hit float can not place one.
+    const Real<N>& doubtful() const { return doubtful_; }
+    bool someLarge() const { return someLarge_; }
     /// Whether float can compare t with `best`.
     bool apart(float t, const Real<1>& best) const
         requires(N == 1)
@@ -119,7 +127,7 @@ private:
         t = (u * sheared.a[2] + v * sheared.b[2] + w * sheared.c[2]) * shear_.scale() / determinant;
         const Mask<N> undecided = inside & ((u == zero) | (v == zero) | (w == zero));
         inside = andNot(inside, undecided) & (determinant != zero);
-        if (any(undecided)) decideExactly(sheared, undecided.bits(), inside, t);
+        if (any(undecided)) decideExactly(triangle, undecided.bits(), inside, t);
         const Mask<N> atStart = inside & (magnitude(t) <= doubtful_);
         if (any(atStart)) placeExactly(triangle, atStart.bits(), t);
         return inside;
@@ -163,8 +171,9 @@ private:
     }
 
     /// Repeats the test in double for the given lanes.
-    [[gnu::noinline]] void decideExactly(const Sheared<N>& sheared, uint32_t lanes,
+    [[gnu::noinline]] void decideExactly(const Triangle& triangle, uint32_t lanes,
                                          Mask<N>& inside, Real<N>& t) const {
+        const Sheared<N> sheared = shear_(triangle);
         alignas(64) float a[3][N], b[3][N], c[3][N], scale[N], result[N];
         for (int k = 0; k < 3; ++k) {
             sheared.a[k].store(a[k]);

@@ -7,6 +7,13 @@
 
 namespace smart::SMART_ISA {
 
+/// Rays of one packet in a model's space, with their queries' limits.
+struct alignas(64) PacketRays {
+    LocalRays<kPacketSize> rays;
+    alignas(64) float near[kPacketSize], far[kPacketSize];
+    uint32_t lanes; ///< those that carry a ray
+};
+
 /// What Shear is to rays of one dominant axis, lane by lane the same arithmetic.
 class MixedShear {
 public:
@@ -75,6 +82,7 @@ struct alignas(64) MixedRays {
     /// Where in a node the planes lie that a ray passes first, as nearPlanes says.
     uint32_t nearAt[3][N];
     uint32_t negative[3]; ///< bits of lanes
+    Real<N> reachPad; ///< twice what boxes are widened by
 
     MixedRays(const BoxView& box, const LocalRays<N>& rays, float padding) {
         Real<N> scale(box.maxAbs), largest(0.0f);
@@ -82,7 +90,8 @@ struct alignas(64) MixedRays {
             scale = max(scale, magnitude(Real<N>::load(rays.org[k])));
             largest = max(largest, magnitude(Real<N>::load(rays.dir[k])));
         }
-        const Real<N> pad = scale * Real<N>(padding);
+        const Real<N> widened = scale * Real<N>(padding);
+        reachPad = widened + widened;
         for (int k = 0; k < 3; ++k) {
             const Real<N> dir = Real<N>::load(rays.dir[k]), org = Real<N>::load(rays.org[k]);
             const Mask<N> down = dir < Real<N>(0.0f);
@@ -90,7 +99,7 @@ struct alignas(64) MixedRays {
             const uint32_t lowAt = uint32_t(k * kWideChildren);
             select(down, Word<N>(lowAt + kPlanesOfNode / 2), Word<N>(lowAt)).store(nearAt[k]);
             boundedReciprocal(dir).store(reciprocal[k]);
-            const Real<N> late = org + pad, early = org - pad;
+            const Real<N> late = org + widened, early = org - widened;
             select(down, early, late).store(enterOrg[k]);
             select(down, late, early).store(leaveOrg[k]);
         }
