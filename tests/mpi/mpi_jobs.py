@@ -148,7 +148,7 @@ class Jobs(unittest.TestCase):
     def test_render_a_scene(self):
         at_once(self.compare_shared, [
             (ranks, lambda folder, name=name: [BIN / "openrt-render", MODEL, "-o", folder / name,
-                                               "--size", "320x240", "--samples", 4, "--frames", 3],
+                                               "--size", "320x240", "--samples", 2, "--frames", 3],
              {"OPENRT_MPI_PACK": packing})
             for ranks, name, packing in ((2, "out.png", "never"), (4, "out.exr", "always"))])
 
