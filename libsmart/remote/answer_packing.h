@@ -33,8 +33,8 @@ public:
     /// A stored tile that took a thread this time, as it shall travel: its bytes, or fewer in
     /// `memory`.
     std::span<const std::byte> pack(const StoredLayout& layout, const Tile& tile,
-                                    std::span<const std::byte> bytes, double seconds,
-                                    bool mayPack, PackMemory& memory);
+                                    std::span<const std::byte> bytes, double seconds, bool mayPack,
+                                    PackMemory& memory);
     /// So many of the bytes that pack() gave have arrived.
     void arrived(uint64_t bytes, PackingChoice::Clock::time_point now);
     /// No tiles are wanted for now.
@@ -52,11 +52,12 @@ private:
     bool pays_ = false;
 };
 
-/// The master's side, of the thread that serves all workers: makes tiles whole, and sees whether it
-/// has the time to. Others may ask that.
+/// The master's side, of the thread that serves all workers: makes tiles whole, and sees whether
+/// it has the time to. Others may ask that.
 class AnswerUnpacker {
 public:
-    explicit AnswerUnpacker(const ByteCodec* codec) : codec_(codec), choice_(1), mayPack_(codec != nullptr) {}
+    explicit AnswerUnpacker(const ByteCodec* codec)
+        : codec_(codec), choice_(1), mayPack_(codec != nullptr) {}
 
     /// The stored tile, of so many bytes, valid until the next call. Any bytes are taken. Throws
     /// Error where they are no such tile.

@@ -76,10 +76,14 @@ void addRows(std::size_t bytes, std::size_t row, std::byte* pixels) {
 template <class Use>
 void withSize(unsigned size, const Use& use) {
     switch (size) {
-        case 3: return use(std::integral_constant<std::size_t, 3>());
-        case 4: return use(std::integral_constant<std::size_t, 4>());
-        case 12: return use(std::integral_constant<std::size_t, 12>());
-        case 16: return use(std::integral_constant<std::size_t, 16>());
+        case 3:
+            return use(std::integral_constant<std::size_t, 3>());
+        case 4:
+            return use(std::integral_constant<std::size_t, 4>());
+        case 12:
+            return use(std::integral_constant<std::size_t, 12>());
+        case 16:
+            return use(std::integral_constant<std::size_t, 16>());
     }
 }
 

@@ -40,8 +40,7 @@ struct Recovery {
 /// Waits for what the master does about it; whether it did.
 bool noticed(const RemoteWorkers& remote, int signal, Clock::time_point limit) {
     for (; Clock::now() < limit; std::this_thread::sleep_for(100us))
-        if (signal == SIGKILL ? remote.working() < kWorkers
-                              : remote.traffic().tilesReturned > 0)
+        if (signal == SIGKILL ? remote.working() < kWorkers : remote.traffic().tilesReturned > 0)
             return true;
     return false;
 }
@@ -59,8 +58,8 @@ public:
         RemoteOptions remoteOptions;
         remoteOptions.identity = "test";
         remoteOptions.stallAfter = std::chrono::milliseconds(options.stallAfter);
-        remote_ = std::make_unique<RemoteWorkers>(*sockets_, remoteOptions,
-                                                  [](const std::string&) {});
+        remote_ =
+            std::make_unique<RemoteWorkers>(*sockets_, remoteOptions, [](const std::string&) {});
         if (!remote_->waitForPeers(30s)) throw std::runtime_error("workers do not start");
         renderer_ = std::make_unique<test::SharedRenderer>(*remote_, 1, 1, tracer_);
     }
@@ -108,11 +107,12 @@ private:
 };
 
 int run(const Options& options) {
-    std::printf("%ux%u pixels, tiles of %.0f ms, %u worker processes of two threads and one thread "
-                "here; a tile is late after %u ms\n"
-                "a worker is  noticed after ms (median, worst)  the frame took longer, ms (median, "
-                "worst)  of\n",
-                kSize, kSize, kMicrosecondsOfTile * 1e-3, kWorkers, options.stallAfter);
+    std::printf(
+        "%ux%u pixels, tiles of %.0f ms, %u worker processes of two threads and one thread "
+        "here; a tile is late after %u ms\n"
+        "a worker is  noticed after ms (median, worst)  the frame took longer, ms (median, "
+        "worst)  of\n",
+        kSize, kSize, kMicrosecondsOfTile * 1e-3, kWorkers, options.stallAfter);
     std::mt19937 random(1);
     for (const int signal : {SIGKILL, SIGSTOP}) {
         std::vector<double> noticed, longer;

@@ -81,7 +81,8 @@ void printTable(const RemoteCosts& measured, const PackingCosts& packing, const 
     constexpr Line kLines[] = {{"1 Gbit/s", 1e9, 50e-6},
                                {"10 Gbit/s", 1e10, 15e-6},
                                {"100 Gbit/s", 1e11, 3e-6}};
-    std::printf("\nExpected at %ux%u, %s, %u threads a rank, all as fast as the one measured here\n"
+    std::printf("\nExpected at %ux%u, %s, %u threads a rank, all as fast as the one measured "
+                "here\n"
                 "ranks  network      frames/s  alone ms  efficiency  limit                         "
                 "  packed: frames/s  efficiency  limit\n",
                 kWidth, kHeight, format, threads);

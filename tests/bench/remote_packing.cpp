@@ -94,8 +94,9 @@ PackingCosts packingCosts(const Frame& frame, unsigned repeat) {
 
 void printSimulatedPacking(const std::shared_ptr<Frame>& frame, unsigned frames) {
     const ReplayTracer tracer(frame->target);
-    std::printf("\nPacking over simulated lines: 8 ranks, tiles that sleep 1 ms\n"
-                "line MB/s  packing       frame ms  bytes a frame\n");
+    std::printf(
+        "\nPacking over simulated lines: 8 ranks, tiles that sleep 1 ms\n"
+        "line MB/s  packing       frame ms  bytes a frame\n");
     struct Way {
         const char* name;
         Packing packing;

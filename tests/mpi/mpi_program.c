@@ -2,8 +2,8 @@
 /* mpi_program OUTPUT WAY: a picture through the public interface, to be run by mpirun.
  * Ways: frames (several, of changing scenes), copy (a picture becomes a texture of the next),
  * contexts (two, with frames in both queues), exit (leaves without rtExit), abandon (in the middle
- * of a frame), plugin (a shader of a library), clock (many frames; prints how many milliseconds each
- * took). Prints the library's errors. */
+ * of a frame), plugin (a shader of a library), clock (many frames; prints the milliseconds that
+ * each took). Prints the library's errors. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>

@@ -67,9 +67,9 @@ def main():
             all_delays = []
             for _ in range(JOBS):
                 all_delays += delays(how, str(pathlib.Path(folder, "out")))
-            print(f"a rank is {name}: the longest frame took {statistics.median(all_delays):.0f} ms "
-                  f"longer (median), {max(all_delays):.0f} ms (worst of {len(all_delays)})",
-                  flush=True)
+            print(f"a rank is {name}: the longest frame took "
+                  f"{statistics.median(all_delays):.0f} ms longer (median), "
+                  f"{max(all_delays):.0f} ms (worst of {len(all_delays)})", flush=True)
 
 
 if __name__ == "__main__":

@@ -24,9 +24,8 @@ std::vector<PixelTarget> targets() {
     static float floats[1];
     static uint32_t numbers[1];
     std::vector<PixelTarget> all;
-    for (const PixelFormat format :
-         {PixelFormat::Bgr32f, PixelFormat::Rgb8, PixelFormat::Rgba8, PixelFormat::Bgra8,
-          PixelFormat::Rgb32f, PixelFormat::Rgba32f})
+    for (const PixelFormat format : {PixelFormat::Bgr32f, PixelFormat::Rgb8, PixelFormat::Rgba8,
+                                     PixelFormat::Bgra8, PixelFormat::Rgb32f, PixelFormat::Rgba32f})
         for (const unsigned aux : {0u, 1u, 2u, 3u}) {
             PixelTarget target;
             target.width = target.height = 100;
@@ -56,8 +55,8 @@ std::vector<std::byte> packedTile(const PixelTarget& target, const Tile& tile,
     return {packed.begin(), packed.end()};
 }
 
-constexpr Tile kTiles[] = {{0, 0, 32, 32}, {0, 0, 1, 1}, {32, 0, 7, 32}, {0, 32, 32, 3},
-                           {5, 5, 1, 32}};
+constexpr Tile kTiles[] = {
+    {0, 0, 32, 32}, {0, 0, 1, 1}, {32, 0, 7, 32}, {0, 32, 32, 3}, {5, 5, 1, 32}};
 
 TEST(AnswerPacking, TilesOfAllKindsAreWholeAgain) {
     std::mt19937 random(1);
@@ -100,8 +99,7 @@ TEST(AnswerPacking, PlanesHoldDifferencesOfRows) {
                             const std::size_t p = (j * tile.width + i) * size + k;
                             const unsigned below =
                                 j > 0 ? unsigned(bytes[begin + p - tile.width * size]) : 0;
-                            ASSERT_EQ(planes[at++],
-                                      std::byte(unsigned(bytes[begin + p]) - below));
+                            ASSERT_EQ(planes[at++], std::byte(unsigned(bytes[begin + p]) - below));
                         }
                 begin += size * tile.width * tile.height;
             }
@@ -166,10 +164,18 @@ TEST(AnswerPacking, AnythingIsTakenWithoutHarm) {
         for (unsigned changes = 1 + random() % 6; changes > 0 && !mutant.empty(); --changes) {
             const std::size_t at = random() % mutant.size();
             switch (random() % 4) {
-                case 0: mutant[at] = std::byte(random()); break;
-                case 1: mutant[at] = std::byte(0xFF); break; // lengths go on
-                case 2: mutant.insert(mutant.begin() + std::ptrdiff_t(at), std::byte(at)); break;
-                case 3: mutant.erase(mutant.begin() + std::ptrdiff_t(at)); break;
+                case 0:
+                    mutant[at] = std::byte(random());
+                    break;
+                case 1:
+                    mutant[at] = std::byte(0xFF);
+                    break; // lengths go on
+                case 2:
+                    mutant.insert(mutant.begin() + std::ptrdiff_t(at), std::byte(at));
+                    break;
+                case 3:
+                    mutant.erase(mutant.begin() + std::ptrdiff_t(at));
+                    break;
             }
         }
         refused += isRefused(unpacker, target, size, mutant);
