@@ -46,22 +46,21 @@ void ForgedStream::start() {
     writer_.putText("forged");
     writer_.put(uint16_t(callTable().size()));
     for (const CallSignature& call : callTable()) writer_.put(call.fingerprint);
-    end();
+    end(0);
 }
 
-void ForgedStream::begin(RecordKind kind) {
-    const uint8_t where = input_.byte();
+void ForgedStream::begin(RecordKind kind, uint8_t where) {
     const bool isUsual = where < 224;
     writer_.begin(kind, uint8_t(isUsual ? 0 : where & 3), uint16_t(isUsual ? 0 : where >> 2 & 3),
                   isUsual ? 1 : where >> 4 & 1);
 }
 
-/// The record as it is, or with some bytes changed.
-void ForgedStream::end() {
+/// The record as it is, or, with much damage, with some bytes changed.
+void ForgedStream::end(uint8_t damage) {
     std::span<const std::byte> record = writer_.end();
     const std::size_t at = bytes_.size();
     bytes_.insert(bytes_.end(), record.begin(), record.end());
-    if (!last_ || input_.byte() < 248) return;
+    if (damage < 248) return;
     const std::span<std::byte> forged = std::span(bytes_).subspan(at + sizeof(RecordHead));
     for (int n = 1 + input_.byte() % 3; n > 0 && !forged.empty(); --n)
         forged[input_.word() % forged.size()] = std::byte(input_.byte());
@@ -82,7 +81,7 @@ void ForgedStream::call() {
     const CallSignature* const call = findCall(function.name);
     if (!call || parametersOf(*call).size() != function.parameters.size()) std::abort();
     last_ = call;
-    begin(RecordKind::Call);
+    begin(RecordKind::Call, input_.byte());
     writer_.put(call->number);
     // What counts memory may stand behind it: numbers are chosen first.
     std::vector<uint8_t> choices;
@@ -100,7 +99,7 @@ void ForgedStream::call() {
             writer_.putBytes(&values_[i], bytesOf(kind));
     }
     putAttachments();
-    end();
+    end(input_.byte());
     if (call->resultMeaning != Meaning::Plain) outcome(*call, true);
 }
 
@@ -218,7 +217,7 @@ void ForgedStream::putAttachments() {
 }
 
 void ForgedStream::outcome(const CallSignature& call, bool isHonest) {
-    begin(RecordKind::Outcome);
+    begin(RecordKind::Outcome, isHonest ? 0 : input_.byte());
     writer_.put(call.number);
     writer_.put(RTenum(isHonest ? RT_NO_ERROR : 0x500 + input_.byte() % 8));
     writer_.put(CallValue(isHonest ? ++made_[call.resultMeaning] : uint64_t(input_.byte())));
@@ -226,19 +225,19 @@ void ForgedStream::outcome(const CallSignature& call, bool isHonest) {
     const auto names = uint32_t(isHonest ? 0 : input_.byte() % 4);
     writer_.put(names);
     for (uint32_t i = 0; i < names; ++i) writer_.put(RTuint(input_.byte()));
-    end();
+    end(isHonest ? 0 : input_.byte());
 }
 
 void ForgedStream::picture() {
     static constexpr RTenum formats[] = {RT_RGBA_8, RT_BGRA_8, RT_RGB_8, RT_RGB_32F, RT_RGBA_32F, 0};
-    begin(RecordKind::Picture);
+    begin(RecordKind::Picture, input_.byte());
     writer_.put(uint64_t(input_.byte() % 4));
     writer_.put(uint32_t(input_.byte()));
     writer_.put(uint32_t(input_.byte()));
     writer_.put(formats[input_.byte() % std::size(formats)]);
     writer_.put(uint64_t(input_.word()));
     writer_.put(uint64_t(0));
-    end();
+    end(input_.byte());
 }
 
 } // namespace openrt::test

@@ -29,8 +29,8 @@ private:
     void putAttachments();
     void outcome(const smart::compat::CallSignature& call, bool isHonest);
     void picture();
-    void begin(smart::compat::RecordKind kind);
-    void end();
+    void begin(smart::compat::RecordKind kind, uint8_t where);
+    void end(uint8_t damage);
 
     Input& input_;
     smart::compat::RecordWriter writer_;

@@ -42,12 +42,12 @@ void put(std::vector<std::byte>& bytes, std::size_t at, uint64_t number, std::si
 } // namespace
 
 Packet framed(uint16_t type, std::span<const std::byte> payload) {
-    const auto bytes = std::make_shared<std::vector<std::byte>>(kHeaderSize);
+    const auto bytes = std::make_shared<std::vector<std::byte>>(kHeaderSize + payload.size());
     put(*bytes, 0, 0x5754524F, 4);
     put(*bytes, 4, kWireVersion, 2);
     put(*bytes, 6, type, 2);
     put(*bytes, 8, payload.size(), 8);
-    bytes->insert(bytes->end(), payload.begin(), payload.end());
+    std::copy(payload.begin(), payload.end(), bytes->begin() + std::ptrdiff_t(kHeaderSize));
     put(*bytes, 16, checksumOf(*bytes), 8);
     return bytes;
 }

@@ -87,7 +87,7 @@ def api_calls():
 
 def forged_calls(names, functions, generator=None):
     """Calls as forged_stream.cpp has them: kind of record, function, place, arguments, attachments
-    and damage; what a call makes has an outcome after it."""
+    and damage."""
     data = b""
     for name in names:
         function = functions[name]
@@ -97,15 +97,13 @@ def forged_calls(names, functions, generator=None):
             data += bytes([generator.randrange(112) if generator and legal else 0 if legal
                            else generator.randrange(112, 256)])
         data += bytes(2)
-        if function.result == "RTuint":  # most of them are names
-            data += bytes(2)
     return data
 
 
 def trace():
     functions = {function.name: function for function in api_functions.functions()}
     generator = random.Random(2010)
-    start = "rtSetFrameBuffer rtViewport "
+    start = "rtInit rtSetFrameBuffer rtViewport "
     programs = {name: (start + text).split() for name, text in PROGRAMS.items()}
     programs["names"] = (start + "rtuNewQuadric rtuSphere rtuQuadricCallback rtuNewTess "
                          "rtuTessCallback rtuTessBeginPolygon rtuTessEndPolygon rtGenTextures "
@@ -115,8 +113,8 @@ def trace():
               for name, words in programs.items()}
     names = sorted(functions)
     for i in range(0, len(names), 48):  # every function once
-        found[f"all-{i:03}"] = forged_calls(names[i:i + 48], functions)
-    arrays = bytes([255 - 7, 0, 0, 3, 7]) + b"\0"  # one array of vertices: what draws it needs
+        found[f"all-{i:03}"] = forged_calls(["rtInit", *names[i:i + 48]], functions)
+    arrays = bytes([232, 0x20, 0, 0, 3, 7]) + b"\0"  # three vertices
     draw = b"\0" + struct.pack("<H", name_hash("rtDrawArrays")) + bytes(4)
     found["drawn-arrays"] = forged_calls(start.split(), functions) + draw + arrays
     return found | {f"random-{i}": generator.randbytes(300) for i in range(12)} | {
