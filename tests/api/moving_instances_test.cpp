@@ -253,6 +253,18 @@ TEST_F(MovingInstances, FewAndManyAtEveryStep) {
     }
 }
 
+TEST_F(MovingInstances, SoManyThatTheirTreeIsBuiltInLinearTime) {
+    Thing a = makeThing(3), b = makeThing(1);
+    a.define({});
+    b.define({});
+    for (int step = 0; step < 2; ++step) {
+        std::vector<std::pair<const Thing*, Matrix>> instances;
+        for (int i = 0; i < 4500; ++i)
+            instances.emplace_back(i % 2 ? &a : &b, random.matrix(0.5, random.point(6)));
+        EXPECT_GT(compare(instances, 6), 0);
+    }
+}
+
 TEST_F(MovingInstances, PiledUpInOnePlace) {
     Thing thing = makeThing(8);
     thing.define({});

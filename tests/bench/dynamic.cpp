@@ -23,30 +23,6 @@ double since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Seconds from the moment when all threads are ready to the end of the last.
-double timedTrace(const DynamicEngine& engine, const RaySet& rays, unsigned threads,
-                  std::vector<DynamicFound>& found) {
-    std::atomic<std::size_t> next{0};
-    auto start = std::chrono::steady_clock::now();
-    const auto begin = [&start]() noexcept { start = std::chrono::steady_clock::now(); };
-    std::barrier ready(std::ptrdiff_t(threads), begin);
-    std::vector<std::thread> workers;
-    for (unsigned i = 0; i < threads; ++i) {
-        workers.emplace_back([&] {
-            engine.enterThread();
-            ready.arrive_and_wait();
-            for (;;) {
-                const std::size_t first = next.fetch_add(kChunk);
-                if (first >= rays.packets.size()) break;
-                engine.trace(rays, first, std::min(kChunk, rays.packets.size() - first),
-                             found.data());
-            }
-        });
-    }
-    for (std::thread& worker : workers) worker.join();
-    return since(start);
-}
-
 /// The same surface: where several lie within rounding of each other, any of them.
 bool agree(float a, bool hitA, float b, bool hitB) {
     if (hitA != hitB) return false;
@@ -140,6 +116,29 @@ std::vector<DynamicEnginePtr> sheetEngines(const DynamicScene& scene,
 }
 
 } // namespace
+
+double timedTrace(const DynamicEngine& engine, const RaySet& rays, unsigned threads,
+                  std::vector<DynamicFound>& found) {
+    std::atomic<std::size_t> next{0};
+    auto start = std::chrono::steady_clock::now();
+    const auto begin = [&start]() noexcept { start = std::chrono::steady_clock::now(); };
+    std::barrier ready(std::ptrdiff_t(threads), begin);
+    std::vector<std::thread> workers;
+    for (unsigned i = 0; i < threads; ++i) {
+        workers.emplace_back([&] {
+            engine.enterThread();
+            ready.arrive_and_wait();
+            for (;;) {
+                const std::size_t first = next.fetch_add(kChunk);
+                if (first >= rays.packets.size()) break;
+                engine.trace(rays, first, std::min(kChunk, rays.packets.size() - first),
+                             found.data());
+            }
+        });
+    }
+    for (std::thread& worker : workers) worker.join();
+    return since(start);
+}
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0;

@@ -66,6 +66,10 @@ DynamicReport measureDynamic(const DynamicOptions& options, const DynamicProgres
 /// One frame after another, like rtRender.
 DynamicFrame measureFrame(const DynamicScene& scene, const DynamicOptions& options, bool lit);
 
+/// Seconds that the rays take by so many threads, from the moment when all are ready.
+double timedTrace(const DynamicEngine& engine, const RaySet& rays, unsigned threads,
+                  std::vector<DynamicFound>& found);
+
 double median(std::vector<double> values);
 
 } // namespace smart::bench

@@ -5,6 +5,7 @@
 
 #include "tests/bench/command.h"
 #include "tests/bench/dynamic.h"
+#include "tests/bench/dynamic_decay.h"
 #include "tests/bench/dynamic_queue.h"
 #include "tests/bench/options.h"
 
@@ -14,7 +15,7 @@ namespace {
 struct Options : DynamicOptions {
     std::string json;
     std::vector<std::string> peers;
-    unsigned queue = 0;
+    unsigned queue = 0, decay = 0;
 };
 
 int run(Options& options) {
@@ -29,6 +30,12 @@ int run(Options& options) {
             measureQueue(DynamicScene::balls(kInstances), options, options.queue);
         std::cout << figures;
         root["queue"] = figures.json();
+    }
+    if (options.decay > 0 && options.sheet > 0) {
+        const DecayReport decay = measureDecay(options, options.decay, showProgress);
+        showProgress("");
+        std::cout << decay;
+        root["decay"] = decay.json();
     }
     writeJson(options.json, root);
     return report.anyRefused() ? kExitRefused : 0;
@@ -45,6 +52,9 @@ Run addDynamic(CLI::App& app) {
         ->check(CLI::Range(0, 100'000'000));
     app.add_option("--queue", options->queue, "frames to watch the queue with, or 0 for none")
         ->check(CLI::Range(0, 1'000'000));
+    app.add_option("--decay", options->decay,
+                   "updates of the sheet after which rays are timed against a fresh object, or 0")
+        ->check(CLI::Range(0, 100'000));
     addSize(app, options->size);
     addThreads(app, options->threads);
     addRepeat(app, options->repeat);

@@ -36,7 +36,11 @@ public:
 
 using DynamicEnginePtr = std::unique_ptr<DynamicEngine>;
 
-enum class SheetWay { Update, Redefine };
+enum class SheetWay {
+    Update,
+    Redefine, ///< the same object
+    New,      ///< another one instead
+};
 
 /// By the C interface. `quality`: a value of RT_BUILD_QUALITY. `way` matters to sheets only.
 DynamicEnginePtr dynamicOpenrt(const DynamicScene& scene, unsigned threads, SheetWay way,

@@ -126,8 +126,13 @@ private:
         });
     }
     void giveSheet(const std::vector<float>& points) {
-        if (way_ == SheetWay::Redefine) {
-            rtReplaceObject(object_);
+        if (way_ != SheetWay::Update) {
+            if (way_ == SheetWay::Redefine) {
+                rtReplaceObject(object_);
+            } else {
+                rtRemoveObject(object_);
+                object_ = rtNewObject(RT_DEFINE);
+            }
             giveStrips(points);
             rtEndObject();
             return;

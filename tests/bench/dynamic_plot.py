@@ -6,8 +6,9 @@ usage: dynamic_plot.py [--dynamic FILE.json] [--memory FILE.json] [--samples FIL
                        --page PAGE.md --out FOLDER
 
 Fills the tables of PAGE.md, between lines <!-- NAME --> and <!-- end of NAME -->, and writes
-instances.svg (time of a step against the number of instances) and sheet.svg (what an update of a
-deforming sheet costs, by the way it is made) to FOLDER. Needs nothing but Python.
+instances.svg (time of a step against the number of instances), sheet.svg (what an update of a
+deforming sheet costs, by the way it is made) and decay.svg (rays after many updates) to FOLDER.
+Needs nothing but Python.
 """
 import argparse
 import json
@@ -181,6 +182,37 @@ def sheet_picture(report, out):
     picture.save(out / "sheet.svg")
 
 
+MOTIONS = {"waves": "#0072B2", "twist": "#D55E00", "crumple": "#009E73"}
+
+
+def decay_table(report):
+    rows = []
+    for series in report["decay"]:
+        ratios = [step["updated"] / step["fresh"] for step in series["steps"]]
+        rows.append([series["motion"], milliseconds(series["update"]),
+                     milliseconds(series["longest"]), f"{max(ratios):.2f}", f"{ratios[-1]:.2f}"])
+    return table(["motion", "an update, ms", "the longest, ms", "rays, the worst",
+                  "rays, after the last"], rows)
+
+
+def decay_picture(report, out):
+    picture = plot.Picture("Camera rays through an object that is updated again and again",
+                           "time, in times of that through an object defined anew")
+    steps = [(s["motion"], step["number"], step["updated"] / step["fresh"])
+             for s in report["decay"] for step in s["steps"]]
+    last, top = max(number for _, number, _ in steps), max(1.5, *(r for _, _, r in steps)) + 0.1
+    picture.axis_y([(tick / 4 / top, f"{tick / 4:g}") for tick in range(int(4 * top) + 1)], "times")
+    picture.axis_x([(part / 5, f"{round(last * part / 5)}") for part in range(6)], "updates")
+    for motion, colour in MOTIONS.items():
+        points = [(picture.at_x(number / last), picture.at_y(ratio / top))
+                  for name, number, ratio in steps if name == motion]
+        picture.path(points, colour)
+        for x, y in points:
+            picture.dot(x, y, colour, False)
+    picture.legend([(motion, colour, False) for motion, colour in MOTIONS.items()])
+    picture.save(out / "decay.svg")
+
+
 def fill(text, name, content):
     begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
     before, found, rest = text.partition(begin)
@@ -216,6 +248,10 @@ def main():
             text = fill(text, "sheet", sheet_table(report) + shown(
                 "What an update of a sheet costs", "sheet.svg", options))
             sheet_picture(report, options.out)
+        if "decay" in report:
+            text = fill(text, "decay", decay_table(report) + shown(
+                "Rays through an updated object", "decay.svg", options))
+            decay_picture(report, options.out)
         if "queue" in report:
             text = fill(text, "queue", queue_table(report))
     if options.samples:

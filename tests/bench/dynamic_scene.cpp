@@ -19,6 +19,33 @@ double chance(uint32_t number, uint32_t what) {
     return double(x ^ (x >> 16)) / 4294967296.0;
 }
 
+struct Point {
+    double x, y, z;
+};
+
+/// Where a point of the flat sheet is. A hundred steps are a time of 20.
+Point deformed(SheetMotion motion, double x, double z, double time) {
+    if (motion == SheetMotion::Waves) {
+        return {x,
+                0.15 * std::sin(4 * x + 1.3 * time) * std::cos(3 * z - time) +
+                    0.03 * std::sin(19 * x + 11 * z + 4 * time),
+                z};
+    }
+    if (motion == SheetMotion::Twist) {
+        const double angle = 0.3 * time * (1 - std::sqrt(x * x + z * z) / 1.5);
+        const double c = std::cos(angle), s = std::sin(angle);
+        return {c * x - s * z, 0.1 * std::sin(7 * x + 3 * z), s * x + c * z};
+    }
+    Point point{x, 0.15 * std::sin(4 * x) * std::cos(3 * z), z};
+    for (int fold = 0; fold < 4; ++fold) {
+        const double size = 0.0125 * time / (fold + 1), often = 3 + 4 * fold;
+        point.x += size * std::sin(often * point.z + fold);
+        point.z += size * std::sin(often * point.x + 2 * fold);
+        point.y += size * std::sin(often * (point.x + point.z) + 3 * fold);
+    }
+    return point;
+}
+
 } // namespace
 
 DynamicScene DynamicScene::balls(uint32_t instances) {
@@ -28,8 +55,9 @@ DynamicScene DynamicScene::balls(uint32_t instances) {
     return scene;
 }
 
-DynamicScene DynamicScene::sheet(uint32_t triangles) {
+DynamicScene DynamicScene::sheet(uint32_t triangles, SheetMotion motion) {
     DynamicScene scene;
+    scene.motion_ = motion;
     scene.rows_ = uint32_t(std::fmax(1, std::round(std::sqrt(triangles / 3.2))));
     scene.columns_ = uint32_t(std::fmax(1, std::round(triangles / 2.0 / scene.rows_)));
     const std::vector<uint32_t> indices = scene.indices();
@@ -53,9 +81,9 @@ DynamicStep DynamicScene::step(unsigned number) const {
         for (uint32_t row = 0; row <= rows_; ++row) {
             for (uint32_t column = 0; column <= columns_; ++column) {
                 const double x = 2.0 * column / columns_ - 1, z = 2.0 * row / rows_ - 1;
-                const double y = 0.15 * std::sin(4 * x + 1.3 * time) * std::cos(3 * z - time) +
-                                 0.03 * std::sin(19 * x + 11 * z + 4 * time);
-                step.points.insert(step.points.end(), {float(x), float(y), float(z)});
+                const Point point = deformed(motion_, x, z, time);
+                step.points.insert(step.points.end(),
+                                   {float(point.x), float(point.y), float(point.z)});
             }
         }
         return step;

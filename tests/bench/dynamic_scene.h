@@ -18,13 +18,20 @@ struct DynamicStep {
     std::vector<float> points;
 };
 
+/// How a sheet is deformed from step to step.
+enum class SheetMotion {
+    Waves,   ///< that run through it
+    Twist,   ///< its middle turns, and parts from what was near
+    Crumple, ///< folds that grow
+};
+
 /// What does not change, and how the rest does.
 class DynamicScene {
 public:
     /// Bumpy balls on a square, as many as asked for over the same pixels, which turn and bob.
     static DynamicScene balls(uint32_t instances);
-    /// A sheet of about so many triangles with waves.
-    static DynamicScene sheet(uint32_t triangles);
+    /// A sheet of about so many triangles.
+    static DynamicScene sheet(uint32_t triangles, SheetMotion motion = SheetMotion::Waves);
 
     DynamicStep step(unsigned number) const;
     View view() const;
@@ -40,6 +47,7 @@ public:
 
 private:
     uint32_t instances_ = 1, columns_ = 0, rows_ = 0;
+    SheetMotion motion_ = SheetMotion::Waves;
     std::vector<Triangle> triangles_;
 };
 
