@@ -91,7 +91,7 @@ RTAPI RTint RTAPIENTRY rtuPickRay(RTdouble winX, RTdouble winY, const RTdouble* 
                                   const RTdouble* proj, const RTint* view, RTfloat* origin,
                                   RTfloat* direction) {
     if (anyMissing(__func__, model, proj, view, origin, direction)) return RT_FALSE;
-    glm::dmat4 inverse;
+    glm::dmat4 inverse(0);
     const bool regular = invert(matrixOf(proj) * matrixOf(model), inverse);
     const glm::dvec4 step = inverse[2];
     const glm::dvec4 start = inverse * glm::dvec4(toNdc(winX, view[0], view[2]),

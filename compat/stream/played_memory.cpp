@@ -11,13 +11,11 @@ namespace smart::compat {
 
 namespace {
 
-std::unique_ptr<std::max_align_t[]> zeros(uint64_t bytes) {
-    const uint64_t units = bytes / sizeof(std::max_align_t) + 1;
-    return std::make_unique<std::max_align_t[]>(std::size_t(units));
-}
-
-std::byte* bytesOf(const std::unique_ptr<std::max_align_t[]>& memory) {
-    return reinterpret_cast<std::byte*>(memory.get());
+/// Aligned for anything, as all memory of `new` is. Bytes, for of larger types padding would not be
+/// zero.
+std::unique_ptr<std::byte[]> zeros(uint64_t bytes) {
+    static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= alignof(std::max_align_t));
+    return std::make_unique<std::byte[]>(std::size_t(bytes));
 }
 
 } // namespace
@@ -35,7 +33,7 @@ std::byte* CallArena::allocate(uint64_t bytes) {
     bytes = std::max<uint64_t>(bytes, kLeast);
     budget_.take(bytes);
     taken_ += bytes;
-    return bytesOf(blocks_.emplace_back(zeros(bytes)));
+    return blocks_.emplace_back(zeros(bytes)).get();
 }
 
 std::byte* CallArena::copy(std::span<const std::byte> bytes) {
@@ -53,13 +51,13 @@ std::byte* FrameBuffers::memory(uint64_t key, uint64_t bytes) {
         if (block.memory) retired_.push_back(std::move(block));
         block = {zeros(bytes), bytes};
     }
-    return bytesOf(block.memory);
+    return block.memory.get();
 }
 
 const std::byte* FrameBuffers::find(uint64_t key, uint64_t bytes) const {
     const auto found = blocks_.find(key);
     return found == blocks_.end() || found->second.bytes < bytes ? nullptr
-                                                                 : bytesOf(found->second.memory);
+                                                                 : found->second.memory.get();
 }
 
 void PictureTargets::checkSize(uint64_t width, uint64_t height, uint64_t most) {

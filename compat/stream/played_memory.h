@@ -43,7 +43,7 @@ public:
 private:
     MemoryBudget& budget_;
     uint64_t taken_ = 0;
-    std::vector<std::unique_ptr<std::max_align_t[]>> blocks_;
+    std::vector<std::unique_ptr<std::byte[]>> blocks_;
 };
 
 /// The memory that pictures go to, by the key that it has in the stream.
@@ -57,7 +57,7 @@ public:
 
 private:
     struct Block {
-        std::unique_ptr<std::max_align_t[]> memory;
+        std::unique_ptr<std::byte[]> memory;
         uint64_t bytes = 0;
     };
     MemoryBudget& budget_;

@@ -44,13 +44,18 @@ def thousands(number):
     return f"{number:,}"
 
 
-def fuzzing():
+def totals_of(name):
     totals = {}
-    for entry in lines_of("fuzz.jsonl"):
+    for entry in lines_of(name):
         total = totals.setdefault(entry["target"], {"executions": 0, "seconds": 0, "faults": 0})
         total["executions"] += entry["executions"]
         total["seconds"] += entry["seconds"]
         total["faults"] += entry["fault"] is not None
+    return totals
+
+
+def fuzzing():
+    totals, random = totals_of("fuzz.jsonl"), totals_of("random_inputs.jsonl")
     found = read("fuzz_findings.json") or {}
     targets = sorted(path.name[:-len("_fuzz.cpp")]
                      for path in (ROOT / "tests/fuzz").glob("*_fuzz.cpp"))
@@ -58,14 +63,25 @@ def fuzzing():
     for target in targets:
         total = totals.get(target)
         if total:
-            rows.append([target, thousands(total["executions"]), f"{total['seconds'] / 3600:.2f}",
-                         total["faults"], found.get(target, "nothing")])
+            row = [target, thousands(total["executions"]), f"{total['seconds'] / 3600:.2f}",
+                   total["faults"]]
         else:
-            rows.append([target, NOT_RUN, "", "", ""])
+            row = [target, NOT_RUN, "", ""]
+        was_run = total or target in random or target in found
+        rows.append([*row, found.get(target, "nothing") if was_run else ""])
+    with_random = []
+    if random:
+        with_random = [
+            "Random changes of the first inputs, run by the ordinary programs (`fuzz_NAME --random`) "
+            "without sanitizers and without looking at what code they reach:", "",
+            *table(["target", "executions", "seconds", "crashes"],
+                   [[target, thousands(total["executions"]), total["seconds"], total["faults"]]
+                    for target, total in sorted(random.items())])]
     return ["## Fuzzing", "",
             "libFuzzer with address and undefined-behaviour sanitizers; `tests/fuzz`. Runs that ended "
             "with a fault, and what was the matter.", "",
-            *table(["target", "executions", "hours", "runs with a fault", "found and mended"], rows)]
+            *table(["target", "executions", "hours", "runs with a fault", "found and mended"], rows),
+            *with_random]
 
 
 def memory():

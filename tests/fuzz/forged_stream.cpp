@@ -229,7 +229,8 @@ void ForgedStream::outcome(const CallSignature& call, bool isHonest) {
 }
 
 void ForgedStream::picture() {
-    static constexpr RTenum formats[] = {RT_RGBA_8, RT_BGRA_8, RT_RGB_8, RT_RGB_32F, RT_RGBA_32F, 0};
+    static constexpr RTenum formats[] = {RT_RGBA_8,  RT_BGRA_8,   RT_RGB_8,
+                                         RT_RGB_32F, RT_RGBA_32F, 0};
     begin(RecordKind::Picture, input_.byte());
     writer_.put(uint64_t(input_.byte() % 4));
     writer_.put(uint32_t(input_.byte()));

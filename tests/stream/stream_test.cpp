@@ -2,6 +2,7 @@
 // Recordings of whole programs: complete, played with the same outcome, and harmless when damaged.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -14,6 +15,7 @@
 #include "compat/stream/call_memory.h"
 #include "compat/stream/call_player.h"
 #include "compat/stream/call_reader.h"
+#include "compat/stream/played_memory.h"
 #include "openrt/rt.h"
 #include "tests/stream/every_call.h"
 #include "tests/stream/recorded_file.h"
@@ -238,6 +240,30 @@ TEST(CallStream, ACutOneIsPlayedToItsEndOrRefused) {
         const std::size_t cut = random() % stream.size();
         EXPECT_EQ(plays(std::span(stream).first(cut)), whole.contains(cut)) << cut;
         EXPECT_LE(bytesOfWholeRecords(std::span(stream).first(cut)), cut);
+    }
+}
+
+// Text ends where its copy does, and what was not recorded reads as zeros, whatever lay there.
+TEST(CallStream, MemoryOfPlayedCallsIsZero) {
+    constexpr std::size_t kBytes = 1000;
+    const auto litter = [] {
+        std::vector<std::vector<std::byte>> blocks;
+        for (std::size_t bytes = CallArena::kLeast; bytes < kBytes + 100; bytes += 16)
+            for (int i = 0; i < 12; ++i) blocks.emplace_back(bytes, std::byte(0xFF));
+    };
+    const auto isZero = [](const std::byte* memory, std::size_t bytes) {
+        return std::all_of(memory, memory + bytes, [](std::byte b) { return b == std::byte(0); });
+    };
+    MemoryBudget budget(1 << 20);
+    for (std::size_t length = 1; length < 40; ++length) {
+        litter();
+        CallArena arena(budget);
+        EXPECT_TRUE(isZero(arena.allocate(kBytes), kBytes));
+        const std::string text(length, 'x');
+        const std::byte* const copy = arena.copy(std::as_bytes(std::span(text)));
+        EXPECT_TRUE(isZero(copy + length, CallArena::kLeast - length)) << length;
+        FrameBuffers buffers(budget);
+        EXPECT_TRUE(isZero(buffers.memory(1, kBytes), kBytes));
     }
 }
 
