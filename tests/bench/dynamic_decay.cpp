@@ -48,8 +48,7 @@ DecaySeries measureMotion(const DynamicScene& scene, const std::string& name,
         for (unsigned i = 0; i < kTraces; ++i) {
             result.updated =
                 std::min(result.updated, timedTrace(*updated, rays, options.threads, found));
-            result.fresh =
-                std::min(result.fresh, timedTrace(*fresh, rays, options.threads, found));
+            result.fresh = std::min(result.fresh, timedTrace(*fresh, rays, options.threads, found));
         }
         series.steps.push_back(result);
     }
@@ -80,10 +79,8 @@ nlohmann::json DecayReport::json() const {
         for (const DecayStep& step : s.steps)
             steps.push_back(
                 {{"number", step.number}, {"updated", step.updated}, {"fresh", step.fresh}});
-        root.push_back({{"motion", s.motion},
-                        {"update", s.update},
-                        {"longest", s.longest},
-                        {"steps", steps}});
+        root.push_back(
+            {{"motion", s.motion}, {"update", s.update}, {"longest", s.longest}, {"steps", steps}});
     }
     return root;
 }

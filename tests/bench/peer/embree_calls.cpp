@@ -145,11 +145,12 @@ void render() {
 
 void report() {
     const auto each = [](double sum) { return sum / std::max(program.done, 1); };
-    std::printf("embree: %.3f ms committing, %.3f ms tracing; rays: %.0f primary, %.0f shadow, "
-                "%.0f reflected; %.0f hits\n",
-                1e3 * each(peer->committing()), 1e3 * each(peer->tracing()),
-                each(double(state.rays.primary)), each(double(state.rays.shadow)),
-                each(double(state.rays.reflected)), each(double(state.rays.hits)));
+    std::printf(
+        "embree: %.3f ms committing, %.3f ms tracing; rays: %.0f primary, %.0f shadow, "
+        "%.0f reflected; %.0f hits\n",
+        1e3 * each(peer->committing()), 1e3 * each(peer->tracing()),
+        each(double(state.rays.primary)), each(double(state.rays.shadow)),
+        each(double(state.rays.reflected)), each(double(state.rays.hits)));
 }
 
 } // namespace
@@ -168,8 +169,8 @@ void rtutInit(int* argc, char** argv) {
         if (option == "--rt-offscreen") {
             program.frames = std::atoi(value.c_str());
         } else if (option == "--rt-size") {
-            program.hasSize = std::sscanf(value.c_str(), "%dx%d", &program.width,
-                                          &program.height) == 2;
+            program.hasSize =
+                std::sscanf(value.c_str(), "%dx%d", &program.width, &program.height) == 2;
         } else if (option == "--rt-output") {
             program.output = value;
         } else if (option == "--embree") {

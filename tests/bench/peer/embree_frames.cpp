@@ -30,9 +30,9 @@ void PeerRays::add(const PeerRays& more) {
 }
 
 EmbreeFrames::EmbreeFrames(PeerWay way, unsigned threads)
-    : way_(way)
-    , threads_(threads)
-    , device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
+    : way_(way),
+      threads_(threads),
+      device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
     if (!device_) throw std::runtime_error("Embree makes no device");
     top_ = rtcNewScene(device_);
     if (way != PeerWay::Medium) rtcSetSceneFlags(top_, RTC_SCENE_FLAG_DYNAMIC);
@@ -69,11 +69,11 @@ void EmbreeFrames::build(Object& object, std::span<const float> points,
                             quality == RTC_BUILD_QUALITY_REFIT ? RTC_BUILD_QUALITY_LOW : quality);
     object.mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(object.mesh, quality);
-    std::memcpy(rtcSetNewGeometryBuffer(object.mesh, RTC_BUFFER_TYPE_VERTEX, 0,
-                                        RTC_FORMAT_FLOAT3, 12, object.points),
+    std::memcpy(rtcSetNewGeometryBuffer(object.mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                        12, object.points),
                 points.data(), points.size_bytes());
-    std::memcpy(rtcSetNewGeometryBuffer(object.mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                        12, corners.size() / 3),
+    std::memcpy(rtcSetNewGeometryBuffer(object.mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
+                                        corners.size() / 3),
                 corners.data(), corners.size_bytes());
     rtcCommitGeometry(object.mesh);
     rtcAttachGeometry(object.scene, object.mesh);
@@ -109,10 +109,10 @@ void EmbreeFrames::move(uint32_t id, std::size_t first, std::span<const float> p
               way_ == PeerWay::Refit ? RTC_BUILD_QUALITY_REFIT : qualityOf(way_));
     }
     const double begun = now();
-    std::memcpy(static_cast<float*>(
-                    rtcGetGeometryBufferData(object.mesh, RTC_BUFFER_TYPE_VERTEX, 0)) +
-                    3 * first,
-                points.data(), points.size_bytes());
+    std::memcpy(
+        static_cast<float*>(rtcGetGeometryBufferData(object.mesh, RTC_BUFFER_TYPE_VERTEX, 0)) +
+            3 * first,
+        points.data(), points.size_bytes());
     rtcUpdateGeometryBuffer(object.mesh, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(object.mesh);
     rtcCommitScene(object.scene);

@@ -21,10 +21,18 @@ constexpr float kOffset = 1e-4f; ///< of the distance to the eye, off the surfac
 struct Point {
     float x, y, z;
 };
-Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Point operator*(const Point& a, float b) { return {a.x * b, a.y * b, a.z * b}; }
-float dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point operator-(const Point& a, const Point& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Point operator+(const Point& a, const Point& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Point operator*(const Point& a, float b) {
+    return {a.x * b, a.y * b, a.z * b};
+}
+float dot(const Point& a, const Point& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 /// Where the rays of a packet met something.
 struct Met {
@@ -155,8 +163,8 @@ private:
             if (!(met.lanes >> i & 1)) continue;
             if (!reflecting_[std::size_t(&placeOf(met, i) - frame_.instances.data())]) continue;
             lanes |= 1u << i;
-            direction[i] = met.direction[i] -
-                           met.normal[i] * (2 * dot(met.normal[i], met.direction[i]));
+            direction[i] =
+                met.direction[i] - met.normal[i] * (2 * dot(met.normal[i], met.direction[i]));
         }
         if (!lanes) return;
         rays_.reflected += count(lanes);
