@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Many packets of rays that have nothing in common. In a scene that is one instance of a model
-// without children each goes down the model's wide tree as one; elsewhere its rays go one by one.
+// Many packets of rays that have nothing in common. A scene that is one instance of a model without
+// children lets them take turns in the model's wide tree; elsewhere they go one by one.
 #pragma once
 
-#include "libsmart/kernel/packet_occlusion.h"
-#include "libsmart/kernel/packet_search.h"
 #include "libsmart/kernel/ray_preparation.h"
+#include "libsmart/kernel/rays_in_flight.h"
 
 namespace smart::SMART_ISA {
 
@@ -45,14 +44,11 @@ public:
             Word<N>(kNoHit).store(hits_[name].triangle);
         return true;
     }
-    void open(const PacketRays& packet, Search<N, M, NoCounts>& query) const {
-        __builtin_memcpy(query.tNear, packet.near, sizeof query.tNear);
-        Word<N>(kNoHit).store(query.triangle);
+    template <int K>
+    void open(Search<K, M, NoCounts>& query) const {
         query.lastOfEqual = scene_.lastOfEqual != 0;
         query.currentLevels = 1;
         query.currentPath[0] = 0;
-        Word<N>(1u).store(query.levels);
-        Word<N>(0u).store(query.path[0]);
     }
     void done(uint32_t name, const Search<N, M, NoCounts>& query) {
         if constexpr (M == HitMode::Any) {
@@ -64,6 +60,12 @@ public:
             Word<N>(0u).store(hits.path[0]);
         }
     }
+    void done(uint32_t name, int lane, const Search<1, M, NoCounts>& query) {
+        if constexpr (M == HitMode::Any)
+            blocked_[name] |= query.blocked << lane;
+        else
+            hits_[name].triangle[lane] = query.triangle[0];
+    }
 
 private:
     const ModelView& scene_;
@@ -74,7 +76,7 @@ private:
     uint32_t next_ = 0;
 };
 
-/// The model that packets of such rays can go down; nullptr where they meet several, or one
+/// The model in which the rays of a scene can take turns; nullptr where they meet several, or one
 /// with children or without a tree for it.
 inline const ModelView* streamedModel(const ModelView& scene) {
     if (scene.childCount != 1 || !scene.children[0].model) return nullptr;
@@ -89,17 +91,8 @@ template <template <int> class Precision, HitMode M>
                                  const RayPacket* packets, uint32_t count, HitPacket* hits,
                                  uint32_t* blocked) {
     StreamHits<M> source(scene, packets, count, hits, blocked);
-    using Walk = std::conditional_t<M == HitMode::Any, PacketOcclusion<Precision>,
-                                    PacketSearch<Precision>>;
-    PacketRays packet;
-    uint32_t name;
-    while (source.next(packet, name)) {
-        if (!packet.lanes) continue;
-        Search<kPacketSize, M, NoCounts> query;
-        source.open(packet, query);
-        Walk(model, packet, query).run();
-        source.done(name, query);
-    }
+    RaysInFlight<Precision, M, StreamHits<M>> flights(model, source);
+    flights.run();
 }
 
 } // namespace smart::SMART_ISA

@@ -58,13 +58,10 @@ public:
         const KernelTable& table = kernels();
         const int mode = int(Precision::Watertight);
         HitPacket hits[kTilePackets];
-        const std::size_t step = coherent ? kTilePackets : 1;
-        for (std::size_t p = 0; p < rays.packets.size(); p += step) {
-            const std::size_t n = std::min(step, rays.packets.size() - p);
-            if (coherent)
-                table.intersectTile[mode](scene_, &rays.packets[p], uint32_t(n), hits);
-            else
-                table.intersect[mode](scene_, rays.packets[p], hits[0]);
+        for (std::size_t p = 0; p < rays.packets.size(); p += kTilePackets) {
+            const std::size_t n = std::min<std::size_t>(kTilePackets, rays.packets.size() - p);
+            const auto& trace = coherent ? table.intersectTile : table.intersectStream;
+            trace[mode](scene_, &rays.packets[p], uint32_t(n), hits);
             for (std::size_t i = 0; i < n; ++i) {
                 std::copy_n(hits[i].t, kPacketSize, found[p + i].t);
                 std::copy_n(hits[i].triangle, kPacketSize, found[p + i].triangle);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "tests/bench/command.h"
 #include "tests/bench/options.h"
@@ -10,11 +11,26 @@ namespace smart::bench {
 namespace {
 
 struct Options {
-    std::string scene, isa;
+    std::string scene, isa, json;
     ViewOptions view;
     uint32_t size = 1024;
     unsigned threads = processorCount(), repeat = 5;
 };
+
+nlohmann::json toJson(const FrameReport& report) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const FrameSeries& s : report.series) {
+        nlohmann::json row{{"surface", s.surface},
+                           {"threads", s.threads},
+                           {"pixels", s.pixels},
+                           {"shadowRays", s.shadowRays},
+                           {"aloneSeconds", s.aloneSeconds},
+                           {"cameraSeconds", s.cameraSeconds}};
+        for (const FrameCost& way : s.ways) row["ways"][way.way] = way.seconds;
+        all.push_back(std::move(row));
+    }
+    return all;
+}
 
 int run(const Options& options) {
     selectIsa(options.isa);
@@ -23,6 +39,7 @@ int run(const Options& options) {
                       options.threads, options.repeat, showProgress);
     showProgress("");
     std::cout << report;
+    writeJson(options.json, {{"scene", options.scene}, {"frames", toJson(report)}});
     return report.allSame() ? 0 : kExitRefused;
 }
 
@@ -36,6 +53,7 @@ Run addFrame(CLI::App& app) {
     addThreads(app, options->threads);
     addRepeat(app, options->repeat);
     addIsa(app, options->isa);
+    addJson(app, options->json);
     return [options] { return run(*options); };
 }
 

@@ -70,6 +70,8 @@ class Runs:
         self.rays = [run for run in loaded if "series" in run]
         self.scales = [run for run in loaded if "byTriangles" in run]
         self.cases = [run for run in loaded if "cases" in run]
+        self.builds = [run for run in loaded if "builders" in run]
+        self.frames = [run for run in loaded if "frames" in run]
         self.scenes = sorted({scene_name(run) for run in self.rays},
                              key=lambda name: next(run["triangles"] for run in self.rays
                                                    if scene_name(run) == name))
@@ -237,12 +239,68 @@ class Runs:
         return table(["case", "query", "single, ns a ray", "packets", "tiles", "coherent query",
                       "incoherent query"], rows)
 
+    def build_table(self):
+        rows = []
+        for run in sorted(self.builds, key=lambda run: run["triangles"]):
+            for builder in run["builders"]:
+                seconds = [builder["build_seconds"].get(threads) for threads in ("1", "2")]
+                rates = builder.get("mrays_per_second", {})
+                rows.append([scene_name(run), builder["builder"]] + [
+                    number(1e3 * value if value else None, 0) for value in seconds] + [
+                    number(run["triangles"] / seconds[0] / 1e6),
+                    number(builder["bytes"] / run["triangles"], 0),
+                    number(rates.get("primary"), 1), number(rates.get("random"))])
+        return table(["scene", "builder", "ms, one thread", "ms, two", "M triangles/s, one thread",
+                      "bytes a triangle", "primary, Mrays/s", "random rays, Mrays/s"], rows)
+
+    def build_ratios(self):
+        """Our builders beside those of Embree's of the same kind, and beside each other."""
+        rows = []
+        for run in sorted(self.builds, key=lambda run: run["triangles"]):
+            of = {builder["builder"]: builder for builder in run["builders"]}
+            if "embree high" not in of:
+                continue
+
+            def build(ours, peer):
+                return number(of[peer]["build_seconds"]["1"] / of[ours]["build_seconds"]["1"])
+
+            def trace(one, other, rays):
+                rates = [of[name].get("mrays_per_second", {}).get(rays) for name in (one, other)]
+                return number(rates[0] / rates[1] if all(rates) else None)
+
+            exact, best, binned = "kd-tree, exact", "wide, spatial splits", "wide, binned"
+            rows.append([scene_name(run), build(best, "embree high"),
+                         build(binned, "embree medium"), build("wide, fast", "embree low"),
+                         build("wide, refit", "embree refit")] + [
+                             trace(one, other, rays) for one, other in
+                             ((best, exact), (binned, exact), (binned, best))
+                             for rays in ("primary", "random")])
+        return table(["scene", "spatial, speed of HIGH's build", "binned, of MEDIUM's",
+                      "fast, of LOW's", "refit, of Embree's", "primary rays: spatial over exact SAH",
+                      "random", "primary: binned over exact SAH", "random",
+                      "primary: binned over spatial", "random"], rows)
+
+    def frame_table(self):
+        rows = []
+        for run in self.frames:
+            for frame in run["frames"]:
+                if "packets, fixed" not in frame["ways"]:
+                    continue
+                rows.append([scene_name(run), frame["surface"], frame["threads"]] + [
+                    number(seconds * 1e9 / frame["pixels"], 1) for seconds in
+                    (frame["aloneSeconds"], frame["cameraSeconds"],
+                     frame["ways"]["packets, fixed"])] + [
+                    number(frame["ways"]["packets, fixed"] / frame["aloneSeconds"])])
+        return table(["scene", "surface", "threads", "rays alone, ns a pixel",
+                      "camera rays made and traced", "frame", "frame over rays alone"], rows)
+
     def tables(self):
         return {"machine": self.machine(), "ratios": self.ratios(public_form),
                 "forms": self.forms(), "threads": self.threads(), "isas": self.isas(),
                 "precisions": self.precisions(), "limits": self.limits(),
                 "machine-limits": self.machine_limits(), "growth": self.growth(), "sizes": self.sizes(),
-                "cases": self.case_table()}
+                "cases": self.case_table(), "builds": self.build_table(),
+                "build-ratios": self.build_ratios(), "frames": self.frame_table()}
 
 
 class Svg:

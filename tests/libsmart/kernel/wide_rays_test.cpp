@@ -201,6 +201,40 @@ TEST(WideRays, SecondaryRays) {
     }
 }
 
+// Packets of such rays stay together to the end.
+TEST(WideRays, PacketsThatStartCloseTogether) {
+    for (const auto& [name, mesh] : {std::pair{"icosphere", snapped(icosphere(3), 16)},
+                                     std::pair{"soup", triangleSoup(1000, 0.2f, 31)},
+                                     std::pair{"room", closedRoom()}}) {
+        Random random(32);
+        std::vector<Ray> rays;
+        for (const Ray& place : randomRays(mesh, rayCount(40), 33)) {
+            for (int i = 0; i < 48; ++i) {
+                const Triangle& triangle = mesh[std::size_t(random.between(0, double(mesh.size())))];
+                const auto way = random.onSphere();
+                const bool aimed = i % 3 == 0; // at a vertex: equal distances and edges
+                Ray ray{};
+                for (int k = 0; k < 3; ++k) {
+                    ray.org[k] = 0.4f * place.org[k];
+                    if (i >= 32) ray.org[k] += float(random.between(-0.02, 0.02));
+                    ray.dir[k] = aimed ? triangle.v1[k] - ray.org[k] : float(way[std::size_t(k)]);
+                }
+                if (i % 7 == 1) ray.dir[i % 3] = i % 2 ? 0.0f : -0.0f;
+                ray.tFar = i % 4 == 0 ? INFINITY : float(random.between(0, 1.5));
+                ray.tNear = i % 5 == 0 ? 0.3f * ray.tFar : 0.0f;
+                if (i == 9) ray.tFar = NAN;
+                rays.push_back(ray);
+            }
+        }
+        EXPECT_GT(expectSame(mesh, rays, name), 0u);
+        std::vector<Ray> far = rays;
+        for (Ray& ray : far)
+            for (int k = 0; k < 3; ++k) ray.org[k] *= 0x1p50f;
+        const Precision modes[] = {Precision::Watertight};
+        expectSame({place(makeModel(scaled(mesh, 0x1p50)))}, far, "large coordinates", modes);
+    }
+}
+
 TEST(WideRays, EqualDistances) {
     const auto mesh = icosphere(2);
     std::vector<Triangle> twice = mesh;
