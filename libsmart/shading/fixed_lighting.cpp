@@ -118,8 +118,9 @@ void illuminate(const FixedLighting& lighting, const FixedVertex& vertex, const 
 
 /// OpenGL 1.5, section 2.10.4.
 glm::dvec4 generatedTexCoord(const FixedTexture& texture, const FixedVertex& vertex,
-                             const glm::dvec3& normal, const FixedViewer& viewer) {
-    glm::dvec4 result(vertex.texCoord);
+                             const glm::vec4& given, const glm::dvec3& normal,
+                             const FixedViewer& viewer) {
+    glm::dvec4 result(given);
     glm::dvec3 mirrored(0.0);
     for (const TexGen& generated : texture.generate)
         if (generated.enabled && (generated.mode == TexGenMode::SphereMap ||
@@ -186,9 +187,14 @@ LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool bac
                 clamped(double((back ? vertex.materials->back : vertex.materials->front)
                                    .reflection));
     }
-    if (state.texture.image)
-        result.texCoord = glm::vec4(
-            state.texture.matrix * generatedTexCoord(state.texture, vertex, normal, viewer));
+    result.moreUnits = uint32_t(state.moreTextures.size());
+    forEachTexture(state, vertex,
+                   [&](std::size_t unit, const FixedTexture& texture, const glm::vec4& given) {
+                       glm::vec4& to =
+                           unit == 0 ? result.texCoord : result.moreTexCoords[unit - 1];
+                       to = glm::vec4(texture.matrix *
+                                      generatedTexCoord(texture, vertex, given, normal, viewer));
+                   });
     if (state.fog.enabled)
         result.fogDistance = state.fog.fromCoordinate ? vertex.fogCoordinate
                                                       : float(std::fabs(vertex.position.z));

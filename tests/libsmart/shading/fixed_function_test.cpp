@@ -377,17 +377,17 @@ TEST(FixedTexel, DividesByQAndTakesALevel) {
     LitVertex fragment;
     fragment.texCoord = {1.0f, 3.0f, 0.0f, 4.0f};
     for (const double detail : {0.0, 0.5, 1.0, 1.75, 2.0, 3.0})
-        EXPECT_NEAR(fixedTexel(how, fragment, std::exp2(detail)).r, 0.25 * detail, 1e-6);
+        EXPECT_NEAR(fixedTexel(how, fragment.texCoord, std::exp2(detail)).r, 0.25 * detail, 1e-6);
     how.lodBias = 1.0f;
-    EXPECT_NEAR(fixedTexel(how, fragment, 2.0).r, 0.5, 1e-6);
+    EXPECT_NEAR(fixedTexel(how, fragment.texCoord, 2.0).r, 0.5, 1e-6);
     // The division: a texture of two columns, looked up with the nearest texel.
     std::vector<std::byte> columns{std::byte{0}, std::byte{255}};
     TextureOptions nearest;
     nearest.magnification = TextureFilter::Nearest;
     how.image = std::make_shared<const Texture>(2, 1, 1, TexelType::Byte, columns, nearest);
-    EXPECT_EQ(fixedTexel(how, fragment, 0.0).r, 0.0f);
+    EXPECT_EQ(fixedTexel(how, fragment.texCoord, 0.0).r, 0.0f);
     fragment.texCoord.w = 1.5f;
-    EXPECT_EQ(fixedTexel(how, fragment, 0.0).r, 1.0f);
+    EXPECT_EQ(fixedTexel(how, fragment.texCoord, 0.0).r, 1.0f);
 }
 
 } // namespace

@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: MIT */
+/* The state that each texture unit has by itself: current coordinates, what is bound and switched
+ * on, environments, matrices, arrays; what the attribute stacks bring back of it. */
+#define GL_GLEXT_PROTOTYPES
+#include "tests/conformance/questions.h"
+
+enum { kUnits = 4 };
+
+/* One of each kind of number and count. */
+static void families(void) {
+    static const GLdouble doubles[4] = {0.81, 0.17, 0.0, 2.0};
+    static const GLfloat floats[4] = {0.37f, 0.62f, 0.0f, 1.0f};
+    static const GLint integers[4] = {3, 1, 0, 5};
+    static const GLshort shorts[4] = {2, 5, 0, 7};
+    GLfloat current[4];
+    beginCase("families");
+    glActiveTexture(GL_TEXTURE2);
+#define TELL(call)                                         \
+    glMultiTexCoord4f(GL_TEXTURE2, 9.0f, 8.0f, 7.0f, 6.0f); \
+    glGetFloatv(GL_CURRENT_TEXTURE_COORDS, current);       \
+    glMultiTexCoord##call;                                 \
+    glGetFloatv(GL_CURRENT_TEXTURE_COORDS, current);       \
+    printf("%g %g %g %g\n", (double)current[0], (double)current[1], (double)current[2], \
+           (double)current[3])
+    TELL(1d(GL_TEXTURE2, 0.5));
+    TELL(2d(GL_TEXTURE2, 0.5, 0.25));
+    TELL(3d(GL_TEXTURE2, 0.5, 0.25, 3.0));
+    TELL(4d(GL_TEXTURE2, 0.5, 0.25, 3.0, 2.0));
+    TELL(1f(GL_TEXTURE2, 1.5f));
+    TELL(2f(GL_TEXTURE2, 1.5f, 2.25f));
+    TELL(3f(GL_TEXTURE2, 1.5f, 2.25f, 3.0f));
+    TELL(4f(GL_TEXTURE2, 1.5f, 2.25f, 3.0f, 2.0f));
+    TELL(1i(GL_TEXTURE2, 4));
+    TELL(2i(GL_TEXTURE2, 4, 5));
+    TELL(3i(GL_TEXTURE2, 4, 5, 6));
+    TELL(4i(GL_TEXTURE2, 4, 5, 6, 7));
+    TELL(1s(GL_TEXTURE2, 4));
+    TELL(2s(GL_TEXTURE2, 4, 3));
+    TELL(3s(GL_TEXTURE2, 4, 3, 2));
+    TELL(4s(GL_TEXTURE2, 4, 3, 2, 1));
+    TELL(1dv(GL_TEXTURE2, doubles));
+    TELL(2dv(GL_TEXTURE2, doubles));
+    TELL(3dv(GL_TEXTURE2, doubles));
+    TELL(4dv(GL_TEXTURE2, doubles));
+    TELL(1fv(GL_TEXTURE2, floats));
+    TELL(2fv(GL_TEXTURE2, floats));
+    TELL(3fv(GL_TEXTURE2, floats));
+    TELL(4fv(GL_TEXTURE2, floats));
+    TELL(1iv(GL_TEXTURE2, integers));
+    TELL(2iv(GL_TEXTURE2, integers));
+    TELL(3iv(GL_TEXTURE2, integers));
+    TELL(4iv(GL_TEXTURE2, integers));
+    TELL(1sv(GL_TEXTURE2, shorts));
+    TELL(2sv(GL_TEXTURE2, shorts));
+    TELL(3sv(GL_TEXTURE2, shorts));
+    TELL(4sv(GL_TEXTURE2, shorts));
+    tellError();
+    glActiveTexture(GL_TEXTURE0);
+}
+
+static void tellUnit(void) {
+    static const GLenum asked[] = {GL_ACTIVE_TEXTURE, GL_CLIENT_ACTIVE_TEXTURE,
+                                   GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D,
+                                   GL_TEXTURE_STACK_DEPTH, GL_TEXTURE_1D, GL_TEXTURE_2D,
+                                   GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_Q, GL_TEXTURE_COORD_ARRAY,
+                                   GL_TEXTURE_COORD_ARRAY_SIZE, GL_TEXTURE_COORD_ARRAY_TYPE,
+                                   GL_TEXTURE_COORD_ARRAY_STRIDE};
+    GLfloat values[16];
+    GLint number = 0;
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i) {
+        glGetIntegerv(asked[i], &number);
+        /* The names that OpenGL gave textures are its own. */
+        printf("%d ", number);
+    }
+    printf("\n");
+    glGetFloatv(GL_CURRENT_TEXTURE_COORDS, values);
+    for (int i = 0; i < 4; ++i) printf("%g ", (double)values[i]);
+    glGetFloatv(GL_CURRENT_RASTER_TEXTURE_COORDS, values);
+    for (int i = 0; i < 4; ++i) printf("%g ", (double)values[i]);
+    glGetFloatv(GL_TEXTURE_MATRIX, values);
+    for (int i = 0; i < 16; ++i) printf("%g ", (double)values[i]);
+    glGetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, &number);
+    printf("%d ", number);
+    glGetTexEnviv(GL_TEXTURE_ENV, GL_SOURCE0_RGB, &number);
+    printf("%d ", number);
+    glGetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, values);
+    printf("%g ", (double)values[0]);
+    glGetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, values);
+    for (int i = 0; i < 4; ++i) printf("%g ", (double)values[i]);
+    glGetTexGenfv(GL_T, GL_EYE_PLANE, values);
+    for (int i = 0; i < 4; ++i) printf("%g ", (double)values[i]);
+    printf("\n");
+}
+
+static void tellUnits(void) {
+    GLint active = 0, client = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    glGetIntegerv(GL_CLIENT_ACTIVE_TEXTURE, &client);
+    printf("%d %d\n", active, client);
+    for (int unit = 0; unit < kUnits; ++unit) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        glClientActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        tellUnit();
+    }
+    glActiveTexture((GLenum)active);
+    glClientActiveTexture((GLenum)client);
+    tellError();
+}
+
+/* Every value of a unit is set to something of its own. */
+static void changeUnit(int unit) {
+    const GLfloat number = (GLfloat)unit;
+    const GLfloat vector[4] = {0.25f, 0.5f, 0.125f * number, 0.75f};
+    glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    glClientActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    glBindTexture(GL_TEXTURE_1D, 101 + (GLuint)unit);
+    glBindTexture(GL_TEXTURE_2D, 111 + (GLuint)unit);
+    (unit % 2 ? glEnable : glDisable)(GL_TEXTURE_1D);
+    (unit > 1 ? glEnable : glDisable)(GL_TEXTURE_2D);
+    (unit == 2 ? glEnable : glDisable)(GL_TEXTURE_GEN_S);
+    (unit == 3 ? glEnable : glDisable)(GL_TEXTURE_GEN_Q);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, unit % 2 ? GL_ADD : GL_BLEND);
+    glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB, GL_TEXTURE0 + unit);
+    glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, vector);
+    glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, number - 1.5f);
+    glTexGenfv(GL_T, GL_EYE_PLANE, vector);
+    glMultiTexCoord4fv(GL_TEXTURE0 + (GLenum)unit, vector);
+    glTexCoordPointer(1 + unit, GL_FLOAT, 8 * unit, vector);
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glMatrixMode(GL_TEXTURE);
+    glLoadIdentity();
+    if (unit % 2) glPushMatrix();
+    glTranslatef(number, 0.5f, 0.0f);
+    glMatrixMode(GL_MODELVIEW);
+}
+
+static void resetUnit(int unit) {
+    glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    glMatrixMode(GL_TEXTURE);
+    if (unit % 2) glPopMatrix();
+    glLoadIdentity();
+    glMatrixMode(GL_MODELVIEW);
+}
+
+static void stateOfUnits(void) {
+    static const struct {
+        const char* name;
+        GLbitfield groups;
+    } stacks[] = {{"texture", GL_TEXTURE_BIT},
+                  {"enable", GL_ENABLE_BIT},
+                  {"current", GL_CURRENT_BIT},
+                  {"transform", GL_TRANSFORM_BIT},
+                  {"all", GL_ALL_ATTRIB_BITS}};
+    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    beginCase("state/start");
+    tellUnits();
+    for (int unit = 0; unit < kUnits; ++unit) changeUnit(unit);
+    glRasterPos2f(3.0f, 4.0f);
+    beginCase("state/changed");
+    tellUnits();
+    for (int unit = 0; unit < kUnits; ++unit) resetUnit(unit);
+    glPopAttrib();
+    beginCase("state/popped");
+    tellUnits();
+    glPopClientAttrib();
+    beginCase("state/client_popped");
+    tellUnits();
+    for (size_t i = 0; i < sizeof stacks / sizeof stacks[0]; ++i) {
+        char name[48];
+        snprintf(name, sizeof name, "state/stack/%s", stacks[i].name);
+        beginCase(name);
+        glPushAttrib(GL_ALL_ATTRIB_BITS);
+        glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+        changeUnit(2);
+        changeUnit(1);
+        glPushAttrib(stacks[i].groups);
+        glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+        changeUnit(3);
+        changeUnit(0);
+        glActiveTexture(GL_TEXTURE2);
+        glDisable(GL_TEXTURE_2D);
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+        glBindTexture(GL_TEXTURE_2D, 5);
+        glClientActiveTexture(GL_TEXTURE2);
+        glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+        glPopClientAttrib();
+        glPopAttrib();
+        tellUnits();
+        resetUnit(0);
+        resetUnit(1);
+        resetUnit(2);
+        resetUnit(3);
+        glPopClientAttrib();
+        glPopAttrib();
+    }
+    /* A texture that is deleted is bound nowhere any more. */
+    beginCase("state/deleted");
+    {
+        const GLuint name = 111;
+        for (int unit = 0; unit < kUnits; ++unit) {
+            glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+            glBindTexture(GL_TEXTURE_2D, unit == 2 ? 112 : name);
+        }
+        glDeleteTextures(1, &name);
+        tellUnits();
+        for (int unit = kUnits; unit-- > 0;) {
+            glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+            glBindTexture(GL_TEXTURE_2D, 0);
+        }
+    }
+    beginCase("state/in_list");
+    glNewList(2, GL_COMPILE);
+    glActiveTexture(GL_TEXTURE1);
+    glEnable(GL_TEXTURE_2D);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_ADD);
+    glMultiTexCoord2f(GL_TEXTURE3, 0.5f, 0.25f);
+    glClientActiveTexture(GL_TEXTURE2); /* at once */
+    glEndList();
+    tellUnits();
+    glClientActiveTexture(GL_TEXTURE0);
+    glCallList(2);
+    tellUnits();
+    glDisable(GL_TEXTURE_2D);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+static void wrongUnits(void) {
+    beginCase("wrong/active");
+    glActiveTexture(GL_TEXTURE0 - 1);
+    tellError();
+    glActiveTexture(GL_TEXTURE0 + 1000);
+    tellError();
+    glClientActiveTexture(GL_TEXTURE0 - 1);
+    tellError();
+    glClientActiveTexture(GL_TEXTURE0 + 1000);
+    tellError();
+    tellUnits();
+    beginCase("wrong/inside");
+    glBegin(GL_TRIANGLES);
+    glActiveTexture(GL_TEXTURE1);
+    glEnd();
+    tellError();
+    tellUnits();
+    beginCase("wrong/stack");
+    glActiveTexture(GL_TEXTURE1);
+    glMatrixMode(GL_TEXTURE);
+    glPopMatrix();
+    tellError();
+    glActiveTexture(GL_TEXTURE0);
+    glPushMatrix();
+    glActiveTexture(GL_TEXTURE1);
+    glPopMatrix();
+    tellError();
+    glActiveTexture(GL_TEXTURE0);
+    glPopMatrix();
+    tellError();
+    glMatrixMode(GL_MODELVIEW);
+}
+
+static void askQuestions(void) {
+    families();
+    stateOfUnits();
+    wrongUnits();
+}
