@@ -61,9 +61,17 @@ void Recorder::setRasterPosition(const glm::dvec4& position) {
     raster.lit = clip.lit;
     if (!state.lighting.enabled) // even where nothing adds it now
         raster.lit.secondary = clampedToUnit(attributes_.secondaryColor);
-    for (std::size_t i = 0; i < kMoreUnits; ++i)
-        if (i >= state.moreTextures.size() || !state.moreTextures[i].image)
-            raster.lit.moreTexCoords[i] = attributes_.moreTexCoords[i];
+    // Of all units, whether they have a texture or not.
+    vertex.objectPosition = position;
+    const FixedState& units = fixedState_.state();
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit) {
+        FixedTexture texture = unit == 0                           ? units.texture
+                               : unit <= units.moreTextures.size() ? units.moreTextures[unit - 1]
+                                                                   : FixedTexture();
+        texture.matrix = matrices_.textureStack(unit).top();
+        (unit == 0 ? raster.lit.texCoord : raster.lit.moreTexCoords[unit - 1]) =
+            transformedTexCoord(state, texture, vertex, attributes_.texCoordOf(unit));
+    }
     if (!state.fog.fromCoordinate) raster.lit.fogDistance = float(std::fabs(vertex.position.z));
 }
 

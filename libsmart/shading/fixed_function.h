@@ -58,6 +58,10 @@ struct LitVertex {
 LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool back,
                     const FixedViewer& viewer = {}, const glm::vec3* visibility = nullptr);
 
+/// Texture coordinates of a unit behind generation and texture matrix (section 2.10.4).
+glm::vec4 transformedTexCoord(const FixedState& state, const FixedTexture& texture,
+                              const FixedVertex& vertex, const glm::vec4& given);
+
 /// (1 - share) * a + share * b.
 LitVertex interpolated(const LitVertex& a, const LitVertex& b, double share);
 

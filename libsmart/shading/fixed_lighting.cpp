@@ -158,7 +158,19 @@ glm::dvec4 generatedTexCoord(const FixedTexture& texture, const FixedVertex& ver
     return result;
 }
 
+glm::dvec3 normalOf(const FixedLighting& lighting, const FixedVertex& vertex) {
+    glm::dvec3 normal = vertex.normal;
+    if (lighting.rescaleNormal) normal *= vertex.normalScale;
+    return lighting.normalize ? unit(normal) : normal;
+}
+
 } // namespace
+
+glm::vec4 transformedTexCoord(const FixedState& state, const FixedTexture& texture,
+                              const FixedVertex& vertex, const glm::vec4& given) {
+    return glm::vec4(texture.matrix * generatedTexCoord(texture, vertex, given,
+                                                        normalOf(state.lighting, vertex), {}));
+}
 
 double rescaleFactor(const glm::dmat4x3& modelView) {
     // Row 2 of the inverse, by the cofactors of the matrix's columns.
@@ -173,9 +185,7 @@ LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool bac
     const FixedLighting& lighting = state.lighting;
     LitVertex result;
     result.texCoord = vertex.texCoord;
-    glm::dvec3 normal = vertex.normal;
-    if (lighting.rescaleNormal) normal *= vertex.normalScale;
-    if (lighting.normalize) normal = unit(normal);
+    const glm::dvec3 normal = normalOf(lighting, vertex);
     if (lighting.enabled) {
         const bool other = back && lighting.twoSided;
         illuminate(lighting, vertex, other ? -normal : normal, other, viewer, visibility, result);
