@@ -31,7 +31,7 @@ static GLuint makeTiles(void) {
             image[row][column][1] = (GLubyte)(joint ? 146 : 190 + (row + column) % 7);
             image[row][column][2] = (GLubyte)(joint ? 140 : 168);
         }
-    return makeTexture(GL_RGB, kTile, image[0][0], GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT);
+    return makeTexture(GL_RGB, kTile, image[0][0], GL_LINEAR, GL_REPEAT);
 }
 
 /* Lamps at equal distances, or one at the end. */

@@ -265,9 +265,15 @@ static void tellDrawing(const char* group, const Drawing* drawing) {
     tellPixels();
 }
 
+enum { kDrawings = sizeof drawings / sizeof drawings[0] };
+
 static void tellDrawings(const char* group) {
-    for (size_t i = 0; i < sizeof drawings / sizeof drawings[0]; ++i)
-        tellDrawing(group, &drawings[i]);
+    for (size_t i = 0; i < kDrawings; ++i) tellDrawing(group, &drawings[i]);
+}
+
+/* Without the last, the bitmap: Mesa has no transformed coordinates there. */
+static void tellPrimitives(const char* group) {
+    for (size_t i = 0; i + 1 < kDrawings; ++i) tellDrawing(group, &drawings[i]);
 }
 
 static void environment(int unit, GLenum mode) {
@@ -390,7 +396,7 @@ static void transformations(void) {
         glTranslatef(0.23f, 0.11f, 0.0f);
         glRotatef(17.0f, 0.0f, 0.0f, 1.0f);
         snprintf(name, sizeof name, "matrix/%d", unit);
-        tellDrawings(name);
+        tellPrimitives(name);
         glPopMatrix();
     }
     glMatrixMode(GL_MODELVIEW);
@@ -413,7 +419,7 @@ static void transformations(void) {
                 glScalef(0.9f, 0.9f, 1.0f);
             }
             snprintf(name, sizeof name, "generated/%s/%d", generationNames[i], unit);
-            tellDrawings(name);
+            tellPrimitives(name);
             glPopMatrix();
             glDisable(GL_TEXTURE_GEN_S);
             glDisable(GL_TEXTURE_GEN_T);

@@ -124,6 +124,12 @@ static void resetUnit(int unit) {
     glMatrixMode(GL_MODELVIEW);
 }
 
+static void sameCoordinates(void) {
+    for (int unit = 0; unit < kUnits; ++unit)
+        glMultiTexCoord4f(GL_TEXTURE0 + (GLenum)unit, 0.5f, 0.75f, 0.25f, 2.0f);
+    tellUnits();
+}
+
 static void stateOfUnits(void) {
     static const struct {
         const char* name;
@@ -152,6 +158,7 @@ static void stateOfUnits(void) {
         char name[48];
         snprintf(name, sizeof name, "state/stack/%s", stacks[i].name);
         beginCase(name);
+        sameCoordinates();
         glPushAttrib(GL_ALL_ATTRIB_BITS);
         glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
         changeUnit(2);
@@ -166,6 +173,8 @@ static void stateOfUnits(void) {
         glBindTexture(GL_TEXTURE_2D, 5);
         glClientActiveTexture(GL_TEXTURE2);
         glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+        tellCoordinates(GL_TEXTURE2); /* without, Mesa restores some too early */
+        glActiveTexture(GL_TEXTURE2);
         glPopClientAttrib();
         glPopAttrib();
         tellUnits();
@@ -178,6 +187,7 @@ static void stateOfUnits(void) {
     }
     /* A texture that is deleted is bound nowhere any more. */
     beginCase("state/deleted");
+    sameCoordinates();
     {
         const GLuint name = 111;
         for (int unit = 0; unit < kUnits; ++unit) {
@@ -206,6 +216,45 @@ static void stateOfUnits(void) {
     glDisable(GL_TEXTURE_2D);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
     glActiveTexture(GL_TEXTURE0);
+}
+
+/* Coordinates of the raster position, which go the way of a vertex's in every unit. */
+static void rasterPosition(void) {
+    /* Of those that look at normals Mesa makes something else here. */
+    static const GLenum generations[] = {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_EYE_LINEAR,
+                                         GL_OBJECT_LINEAR};
+    static const GLfloat plane[4] = {0.25f, 0.5f, -0.75f, 0.125f};
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    for (int unit = 0; unit < kUnits; ++unit) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, (GLint)generations[unit]);
+        glTexGenfv(GL_S, GL_OBJECT_PLANE, plane);
+        glTexGenfv(GL_S, GL_EYE_PLANE, plane);
+        glEnable(GL_TEXTURE_GEN_S);
+        glMultiTexCoord4f(GL_TEXTURE0 + (GLenum)unit, 0.5f, 0.25f, 0.125f, 1.0f);
+        glMatrixMode(GL_TEXTURE);
+        glScalef(1.0f + 0.5f * (GLfloat)unit, 0.75f, 1.0f);
+        glMatrixMode(GL_MODELVIEW);
+    }
+    glPushMatrix();
+    glTranslatef(0.125f, -0.25f, 0.375f);
+    glRasterPos3f(0.3f, 0.4f, -0.2f);
+    glPopMatrix();
+    for (int unit = 0; unit < kUnits; ++unit) {
+        GLfloat values[4];
+        char name[32];
+        snprintf(name, sizeof name, "raster/%d", unit);
+        beginCase(name);
+        glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        glGetFloatv(GL_CURRENT_RASTER_TEXTURE_COORDS, values);
+        for (int i = 0; i < 4; ++i) printf("%g ", (double)values[i]);
+        printf("\n");
+        tellError();
+        glMatrixMode(GL_TEXTURE);
+        glLoadIdentity();
+        glMatrixMode(GL_MODELVIEW);
+    }
+    glPopAttrib();
 }
 
 static void wrongUnits(void) {
@@ -244,5 +293,6 @@ static void wrongUnits(void) {
 static void askQuestions(void) {
     families();
     stateOfUnits();
+    rasterPosition();
     wrongUnits();
 }
