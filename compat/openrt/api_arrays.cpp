@@ -5,6 +5,7 @@
 
 #include "compat/openrt/array_elements.h"
 #include "compat/openrt/array_names.h"
+#include "compat/openrt/fixed_tokens.h"
 #include "compat/openrt/guard.h"
 #include "openrt/rt_arrays.h"
 
@@ -30,7 +31,7 @@ void setPointer(const char* function, ArrayKind kind, RTint size, int smallest, 
         bool known = false;
         for (const ComponentType t : types) known |= t == component;
         if (!known) throwError(ErrorCode::InvalidEnum, "not a type of components of this array");
-        VertexArray& array = arrays[kind];
+        VertexArray& array = arrays[arrays.selected(kind)];
         array.size = size;
         array.type = component;
         array.stride = uint32_t(stride);
@@ -44,7 +45,7 @@ void setEnabled(const char* function, RTenum cap, bool on) noexcept {
         VertexArrays& arrays = arraysOutside(c);
         const std::optional<ArrayKind> kind = arrayKindOf(cap);
         if (!kind) throwError(ErrorCode::InvalidEnum, "no such array");
-        arrays[*kind].enabled = on;
+        arrays[arrays.selected(*kind)].enabled = on;
     });
 }
 
@@ -86,7 +87,7 @@ void interleave(VertexArrays& arrays, const InterleavedFormat& format, RTsizei s
                 const void* pointer) {
     const uint32_t step = stride ? uint32_t(stride) : format.bytes;
     const auto set = [&](ArrayKind kind, int size, ComponentType type, uint32_t offset) {
-        VertexArray& array = arrays[kind];
+        VertexArray& array = arrays[arrays.selected(kind)];
         array.enabled = size > 0;
         if (size == 0) return;
         array.size = size;
@@ -167,9 +168,8 @@ RTAPI void RTAPIENTRY rtInterleavedArrays(RTenum format, RTsizei stride, const v
 
 RTAPI void RTAPIENTRY rtClientActiveTexture(RTenum texture) {
     guarded(__func__, [&](Context& c) {
-        c.recorder().requireOutsidePrimitive();
-        if (texture != RT_TEXTURE0)
-            throwError(ErrorCode::InvalidEnum, "there is one texture unit, RT_TEXTURE0");
+        VertexArrays& arrays = arraysOutside(c);
+        arrays.unit = textureUnitOf(texture);
     });
 }
 
@@ -181,6 +181,6 @@ RTAPI void RTAPIENTRY rtGetPointerv(RTenum pname, void** params) {
             pname == RT_FEEDBACK_BUFFER_POINTER || pname == RT_SELECTION_BUFFER_POINTER;
         if (!kind && !never) throwError(ErrorCode::InvalidEnum, "no such pointer");
         requirePointer(params, "params");
-        *params = kind ? const_cast<void*>(arrays[*kind].pointer) : nullptr;
+        *params = kind ? const_cast<void*>(arrays[arrays.selected(*kind)].pointer) : nullptr;
     });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texture environment and the texture unit (OpenGL 1.5, sections 3.8.13 to 3.8.16).
+// The texture units and their environments (OpenGL 1.5, sections 3.8.13 to 3.8.16).
 #include <glm/common.hpp>
 
 #include "compat/openrt/call_values.h"
@@ -56,7 +56,7 @@ void setTexEnv(const char* function, RTenum target, RTenum pname,
                const CallValues& values) noexcept {
     recorded(function, [=](Context& c) {
         FixedStateRecorder& fixed = c.recorder().fixedState();
-        FixedTexture texture = fixed.state().texture;
+        FixedTexture texture = fixed.texture();
         if (target == RT_TEXTURE_FILTER_CONTROL) {
             if (pname != RT_TEXTURE_LOD_BIAS)
                 throwError(ErrorCode::InvalidEnum, "the filter control is RT_TEXTURE_LOD_BIAS");
@@ -71,7 +71,7 @@ void setTexEnv(const char* function, RTenum target, RTenum pname,
         } else {
             setCombine(texture.combine, pname, values);
         }
-        fixed.change().texture = texture;
+        fixed.changeTexture() = texture;
     });
 }
 
@@ -105,7 +105,7 @@ template <class T>
 void getTexEnv(const char* function, RTenum target, RTenum pname, T* params) noexcept {
     guarded(function, [&](Context& c) {
         c.recorder().requireOutsidePrimitive();
-        const FixedTexture& texture = c.recorder().fixedStateNow().texture;
+        const FixedTexture& texture = c.recorder().fixedTextureNow();
         if (target == RT_TEXTURE_FILTER_CONTROL && pname == RT_TEXTURE_LOD_BIAS)
             return give(StateValue::number(texture.lodBias), params);
         if (target != RT_TEXTURE_ENV)
@@ -118,11 +118,6 @@ void getTexEnv(const char* function, RTenum target, RTenum pname, T* params) noe
         default: return give(combineValue(texture.combine, pname), params);
         }
     });
-}
-
-void checkUnit(RTenum texture) {
-    if (texture != RT_TEXTURE0)
-        throwError(ErrorCode::InvalidEnum, "there is one texture unit, RT_TEXTURE0");
 }
 
 } // namespace
@@ -149,6 +144,6 @@ RTAPI void RTAPIENTRY rtGetTexEnviv(RTenum target, RTenum pname, RTint* params) 
 RTAPI void RTAPIENTRY rtActiveTexture(RTenum texture) {
     recorded(__func__, [=](Context& c) {
         c.recorder().requireOutsidePrimitive();
-        checkUnit(texture);
+        c.recorder().selectTextureUnit(textureUnitOf(texture));
     });
 }

@@ -34,7 +34,7 @@ void setTexGen(const char* function, RTenum coord, RTenum pname,
     recorded(function, [=](Context& c) {
         FixedStateRecorder& fixed = c.recorder().fixedState();
         const int i = coordinateNumber(coord);
-        TexGen generate = fixed.state().texture.generate[i];
+        TexGen generate = fixed.texture().generate[i];
         switch (pname) {
         case RT_TEXTURE_GEN_MODE: generate.mode = modeFor(coord, values.token()); break;
         case RT_OBJECT_PLANE: generate.objectPlane = values.vector(); break;
@@ -48,7 +48,7 @@ void setTexGen(const char* function, RTenum coord, RTenum pname,
         }
         default: throwError(ErrorCode::InvalidEnum, "unknown property of a generated coordinate");
         }
-        fixed.change().texture.generate[i] = generate;
+        fixed.changeTexture().generate[i] = generate;
     });
 }
 
@@ -57,7 +57,7 @@ void getTexGen(const char* function, RTenum coord, RTenum pname, T* params) noex
     guarded(function, [&](Context& c) {
         c.recorder().requireOutsidePrimitive();
         const TexGen& generate =
-            c.recorder().fixedStateNow().texture.generate[coordinateNumber(coord)];
+            c.recorder().fixedTextureNow().generate[coordinateNumber(coord)];
         switch (pname) {
         case RT_TEXTURE_GEN_MODE: return give(StateValue::number(tokenOf(generate.mode)), params);
         case RT_OBJECT_PLANE: return give(StateValue::vector(generate.objectPlane, false), params);

@@ -2,6 +2,7 @@
 // Vertices and current values: families of functions over the number and type of components.
 #include "compat/openrt/call_families.h"
 #include "compat/openrt/component_values.h"
+#include "compat/openrt/fixed_tokens.h"
 #include "compat/openrt/guard.h"
 #include "openrt/rt_fixed.h"
 #include "openrt/rt_objects.h"
@@ -37,15 +38,23 @@ void normal(const char* function, const T* v) noexcept {
 }
 
 template <int n, class T>
+void texCoordOf(Context& c, std::size_t unit, const T* v) {
+    requirePointer(v, "v");
+    glm::vec4 value(0.0f, 0.0f, 0.0f, 1.0f);
+    for (int k = 0; k < n; ++k) value[k] = float(v[k]);
+    ListRecording* const list = c.lists().recording();
+    if (list && !list->texCoord(value, unit)) return;
+    c.recorder().texCoord(value, unit);
+}
+
+template <int n, class T>
 void texCoord(const char* function, const T* v) noexcept {
-    guarded(function, [&](Context& c) {
-        requirePointer(v, "v");
-        glm::vec4 value(0.0f, 0.0f, 0.0f, 1.0f);
-        for (int k = 0; k < n; ++k) value[k] = float(v[k]);
-        ListRecording* const list = c.lists().recording();
-        if (list && !list->texCoord(value)) return;
-        c.recorder().texCoord(value);
-    });
+    guarded(function, [&](Context& c) { texCoordOf<n>(c, 0, v); });
+}
+
+template <int n, class T>
+void multiTexCoord(const char* function, RTenum target, const T* v) noexcept {
+    guarded(function, [&](Context& c) { texCoordOf<n>(c, textureUnitOf(target), v); });
 }
 
 template <int n, class T>
@@ -57,15 +66,6 @@ void color(const char* function, const T* v) noexcept {
         ListRecording* const list = c.lists().recording();
         if (list && !list->color(value)) return;
         c.recorder().color(value);
-    });
-}
-
-/// Like texCoord; there is one texture unit.
-template <int n, class T>
-void multiTexCoord(const char* function, RTenum target, const T* v) noexcept {
-    if (target == RT_TEXTURE0) return texCoord<n>(function, v);
-    guarded(function, [](Context&) {
-        throwError(ErrorCode::InvalidEnum, "there is one texture unit, RT_TEXTURE0");
     });
 }
 

@@ -126,10 +126,11 @@ void ArrayElements::make(uint64_t index) const {
     if (double flag = 1; fetch(ArrayKind::EdgeFlag, index, &flag))
         attribute(context_, "rtEdgeFlag", kEdgeFlagKey,
                   [on = flag != 0](Context& c) { c.recorder().setEdgeFlag(on); });
-    if (double v[4] = {0, 0, 0, 1}; fetch(ArrayKind::TexCoord, index, v)) {
-        const glm::vec4 texCoord(v[0], v[1], v[2], v[3]);
-        if (!list || list->texCoord(texCoord)) recorder.texCoord(texCoord);
-    }
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
+        if (double v[4] = {0, 0, 0, 1}; fetch(texCoordArray(unit), index, v)) {
+            const glm::vec4 texCoord(v[0], v[1], v[2], v[3]);
+            if (!list || list->texCoord(texCoord, unit)) recorder.texCoord(texCoord, unit);
+        }
     if (double v[4] = {0, 0, 0, 1}; fetch(ArrayKind::Color, index, v)) {
         const glm::vec4 color(v[0], v[1], v[2], v[3]);
         if (!list || list->color(color)) recorder.color(color);
@@ -155,7 +156,8 @@ void ArrayElements::make(uint64_t index) const {
 void ArrayElements::restoreAttributes() const {
     Recorder& recorder = context_.recorder();
     const auto enabled = [&](ArrayKind kind) { return enabled_[std::size_t(kind)]; };
-    if (enabled(ArrayKind::TexCoord)) recorder.texCoord(before_.texCoord);
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
+        if (enabled(texCoordArray(unit))) recorder.texCoord(before_.texCoordOf(unit), unit);
     if (enabled(ArrayKind::Color)) recorder.color(before_.color);
     if (enabled(ArrayKind::Normal)) recorder.normal(before_.normal);
     if (enabled(ArrayKind::EdgeFlag)) recorder.setEdgeFlag(before_.edgeFlag);

@@ -57,9 +57,9 @@ std::optional<StateValue> arrayStateValue(const VertexArrays& arrays, RTenum nam
     if (name == 0) return std::nullopt;
     if (name == RT_ARRAY_BUFFER_BINDING) return number(arrays.arrayBuffer.name);
     if (name == RT_ELEMENT_ARRAY_BUFFER_BINDING) return number(arrays.elementBuffer.name);
-    if (name == RT_CLIENT_ACTIVE_TEXTURE) return number(RT_TEXTURE0);
+    if (name == RT_CLIENT_ACTIVE_TEXTURE) return number(double(RT_TEXTURE0 + arrays.unit));
     for (const ArrayNames& names : kNames) {
-        const VertexArray& array = arrays[names.kind];
+        const VertexArray& array = arrays[arrays.selected(names.kind)];
         if (name == names.cap) return number(array.enabled);
         if (name == names.size) return number(array.size);
         if (name == names.type) return number(tokenOf(array.type));

@@ -13,15 +13,25 @@ namespace smart::compat {
 
 namespace {
 
-/// A switch of the state that pictures depend on; nullptr: none of it.
+/// A switch of a texture unit; nullptr: none of it.
+template <class Texture>
+auto textureSwitchOf(Texture& texture, RTenum cap) -> decltype(&texture.enabled2D) {
+    if (cap >= RT_TEXTURE_GEN_S && cap <= RT_TEXTURE_GEN_Q)
+        return &texture.generate[cap - RT_TEXTURE_GEN_S].enabled;
+    switch (cap) {
+    case RT_TEXTURE_1D: return &texture.enabled1D;
+    case RT_TEXTURE_2D: return &texture.enabled2D;
+    default: return nullptr;
+    }
+}
+
+/// A switch of the rest of the state that pictures depend on; nullptr: none of it.
 template <class State>
 auto switchOf(State& state, RTenum cap) -> decltype(&state.fog.enabled) {
     if (cap >= RT_LIGHT0 && cap - RT_LIGHT0 < RTenum(kFixedLights))
         return &state.lighting.lights[cap - RT_LIGHT0].enabled;
     if (cap >= RT_CLIP_PLANE0 && cap - RT_CLIP_PLANE0 < RTenum(kFixedClipPlanes))
         return &state.raster.clip[cap - RT_CLIP_PLANE0];
-    if (cap >= RT_TEXTURE_GEN_S && cap <= RT_TEXTURE_GEN_Q)
-        return &state.texture.generate[cap - RT_TEXTURE_GEN_S].enabled;
     switch (cap) {
     case RT_LIGHTING: return &state.lighting.enabled;
     case RT_NORMALIZE: return &state.lighting.normalize;
@@ -31,8 +41,6 @@ auto switchOf(State& state, RTenum cap) -> decltype(&state.fog.enabled) {
     case RT_REFLECTIONS: return &state.lighting.reflections;
     case RT_FOG: return &state.fog.enabled;
     case RT_COLOR_SUM: return &state.lighting.colorSum;
-    case RT_TEXTURE_1D: return &state.texture.enabled1D;
-    case RT_TEXTURE_2D: return &state.texture.enabled2D;
     case RT_ALPHA_TEST: return &state.ops.alphaTest;
     case RT_DEPTH_TEST: return &state.ops.depthTest;
     case RT_BLEND: return &state.ops.blend;
@@ -95,6 +103,10 @@ void setCapability(Context& context, RTenum cap, bool on) {
         if (*value != on) *switchOf(fixed.change(), cap) = on;
         return;
     }
+    if (const bool* const value = textureSwitchOf(fixed.texture(), cap)) {
+        if (*value != on) *textureSwitchOf(fixed.changeTexture(), cap) = on;
+        return;
+    }
     if (bool* const other = otherSwitchOf(recorder.frameSettings(), recorder.idleState(), cap)) {
         *other = on;
         return;
@@ -106,11 +118,12 @@ void setCapability(Context& context, RTenum cap, bool on) {
 bool isEnabled(Context& context, RTenum cap) {
     Recorder& recorder = context.recorder();
     if (const bool* const value = switchOf(recorder.fixedStateNow(), cap)) return *value;
+    if (const bool* const value = textureSwitchOf(recorder.fixedTextureNow(), cap)) return *value;
     IdleState idle = recorder.idleStateNow();
     if (const bool* const other = otherSwitchOf(recorder.frameSettings(), idle, cap))
         return *other;
     if (const std::optional<ArrayKind> kind = arrayKindOf(cap))
-        return context.arrays()[*kind].enabled;
+        return context.arrays()[context.arrays().selected(*kind)].enabled;
     if (!isCapability(cap)) throwError(ErrorCode::InvalidEnum, "no such switch");
     return false;
 }

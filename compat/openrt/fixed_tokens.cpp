@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "compat/openrt/guard.h"
+#include "libsmart/geometry/texture_units.h"
 #include "openrt/enums.h"
 
 namespace smart::compat {
@@ -90,7 +91,6 @@ constexpr Named<CombineFunction> kCombineFunctions[] = {
     {RT_SUBTRACT, CombineFunction::Subtract}, {RT_DOT3_RGB, CombineFunction::Dot3Rgb},
     {RT_DOT3_RGBA, CombineFunction::Dot3Rgba}};
 constexpr Named<CombineSource> kCombineSources[] = {{RT_TEXTURE, CombineSource::Texture},
-                                                    {RT_TEXTURE0, CombineSource::Texture},
                                                     {RT_CONSTANT, CombineSource::Constant},
                                                     {RT_PRIMARY_COLOR, CombineSource::PrimaryColor},
                                                     {RT_PREVIOUS, CombineSource::Previous}};
@@ -143,7 +143,15 @@ CombineFunction combineFunctionOf(RTenum function, bool alpha) {
     return valueOf(kCombineFunctions, function, "unknown combine function");
 }
 CombineSource combineSourceOf(RTenum source) {
+    const std::size_t unit = source - RT_TEXTURE0;
+    if (source >= RT_TEXTURE0 && unit < kTextureUnits)
+        return CombineSource(std::size_t(CombineSource::Texture0) + unit);
     return valueOf(kCombineSources, source, "unknown source of a combine function");
+}
+std::size_t textureUnitOf(RTenum unit) {
+    if (unit < RT_TEXTURE0 || unit - RT_TEXTURE0 >= kTextureUnits)
+        throwError(ErrorCode::InvalidEnum, "the texture units are RT_TEXTURE0 to RT_TEXTURE3");
+    return unit - RT_TEXTURE0;
 }
 CombineOperand combineOperandOf(RTenum operand, bool alpha) {
     if (alpha && (operand == RT_SRC_COLOR || operand == RT_ONE_MINUS_SRC_COLOR))
@@ -185,6 +193,8 @@ RTenum tokenOf(CombineFunction function) {
     return tokenIn(kCombineFunctions, function);
 }
 RTenum tokenOf(CombineSource source) {
+    if (source >= CombineSource::Texture0)
+        return RT_TEXTURE0 + (RTenum(source) - RTenum(CombineSource::Texture0));
     return tokenIn(kCombineSources, source);
 }
 RTenum tokenOf(CombineOperand operand) {

@@ -3,6 +3,8 @@
 // throw Error (InvalidEnum) for others.
 #pragma once
 
+#include <cstddef>
+
 #include "libsmart/shading/fixed_state.h"
 #include "openrt/types.h"
 
@@ -22,6 +24,8 @@ TexEnvMode texEnvModeOf(RTenum mode);
 /// `alpha`: of the alpha component, which has no dot products.
 CombineFunction combineFunctionOf(RTenum function, bool alpha);
 CombineSource combineSourceOf(RTenum source);
+/// Its number.
+std::size_t textureUnitOf(RTenum unit);
 /// `alpha`: of the alpha component, which has no colours.
 CombineOperand combineOperandOf(RTenum operand, bool alpha);
 

@@ -161,8 +161,8 @@ std::optional<StateValue> fixedLimit(Context& context, RTenum name) {
     case RT_MAX_ATTRIB_STACK_DEPTH: return number(double(AttribStack::kDepth));
     case RT_MAX_CLIENT_ATTRIB_STACK_DEPTH: return number(double(ClientAttribStack::kDepth));
     case RT_ACTIVE_TEXTURE:
-    case RT_CLIENT_ACTIVE_TEXTURE: return number(RT_TEXTURE0);
-    case RT_MAX_TEXTURE_UNITS: return number(1);
+        return number(double(RT_TEXTURE0 + context.recorder().textureUnit()));
+    case RT_MAX_TEXTURE_UNITS: return number(double(kTextureUnits));
     case RT_MAX_TEXTURE_LOD_BIAS: return number(double(TextureOptions::kMaxBias));
     case RT_TEXTURE_BINDING_3D:
     case RT_TEXTURE_BINDING_CUBE_MAP:

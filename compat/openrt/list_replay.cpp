@@ -15,9 +15,9 @@ const char* nameOf(const CallStream& calls, const CallStream::Position& at) {
     case ListOp::Vertex4: return "rtVertex";
     case ListOp::Normal: return "rtNormal";
     case ListOp::Color: return "rtColor";
-    case ListOp::TexCoord: return "rtTexCoord";
-    default: return calls.callAt(at).function;
+    default: break;
     }
+    return calls.op(at) >= ListOp::TexCoord ? "rtTexCoord" : calls.callAt(at).function;
 }
 
 void make(Context& c, const CallStream& calls, const CallStream::Position& at) {
@@ -26,8 +26,11 @@ void make(Context& c, const CallStream& calls, const CallStream::Position& at) {
     case ListOp::Vertex4: c.recorder().vertex(calls.vertexAt(at)); break;
     case ListOp::Normal: c.recorder().normal(calls.vec3At(at)); break;
     case ListOp::Color: c.recorder().color(calls.vec4At(at)); break;
-    case ListOp::TexCoord: c.recorder().texCoord(calls.vec4At(at)); break;
-    default: calls.callAt(at).body(c);
+    default:
+        if (calls.op(at) >= ListOp::TexCoord)
+            c.recorder().texCoord(calls.vec4At(at), calls.unitAt(at));
+        else
+            calls.callAt(at).body(c);
     }
 }
 
@@ -67,7 +70,8 @@ bool place(Context& c, const CallStream& calls, ListSegment& run) {
     recorder.placeRun(*run.compiled);
     if (run.color) recorder.color(*run.color);
     if (run.normal) recorder.normal(*run.normal);
-    if (run.texCoord) recorder.texCoord(*run.texCoord);
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
+        if (run.texCoords[unit]) recorder.texCoord(*run.texCoords[unit], unit);
     for (const std::size_t number : run.attributeCalls) calls.call(number).body(c);
     return true;
 }

@@ -7,7 +7,8 @@ namespace smart::compat {
 
 namespace {
 
-std::optional<StateValue> rasterValue(const RasterPosition& raster, RTenum name) {
+std::optional<StateValue> rasterValue(const RasterPosition& raster, std::size_t unit,
+                                      RTenum name) {
     switch (name) {
     case RT_CURRENT_RASTER_POSITION:
         return StateValue::list(
@@ -15,7 +16,8 @@ std::optional<StateValue> rasterValue(const RasterPosition& raster, RTenum name)
     case RT_CURRENT_RASTER_POSITION_VALID: return StateValue::number(raster.valid);
     case RT_CURRENT_RASTER_COLOR: return StateValue::vector(raster.lit.primary, true);
     case RT_CURRENT_RASTER_TEXTURE_COORDS:
-        return StateValue::vector(raster.lit.texCoord, false);
+        return StateValue::vector(
+            unit == 0 ? raster.lit.texCoord : raster.lit.moreTexCoords[unit - 1], false);
     case RT_CURRENT_RASTER_DISTANCE: return StateValue::number(double(raster.lit.fogDistance));
     default: return std::nullopt;
     }
@@ -43,7 +45,7 @@ std::optional<StateValue> pixelValue(const Recorder& recorder, RTenum name) {
     case RT_MAP_STENCIL:
     case RT_INDEX_SHIFT:
     case RT_INDEX_OFFSET: return number(0);
-    default: return rasterValue(drawing.raster, name);
+    default: return rasterValue(drawing.raster, recorder.textureUnit(), name);
     }
 }
 

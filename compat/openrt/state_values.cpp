@@ -92,7 +92,7 @@ std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
     switch (name) {
     case RT_CURRENT_COLOR: return vector(attributes.color, true);
     case RT_CURRENT_NORMAL: return vector(attributes.normal, true);
-    case RT_CURRENT_TEXTURE_COORDS: return vector(attributes.texCoord, false);
+    case RT_CURRENT_TEXTURE_COORDS: return vector(attributes.texCoordOf(recorder.textureUnit()), false);
     case RT_TEXTURE_BINDING_1D:
         return number(recorder.textures().bound(TextureTarget::OneDimensional));
     case RT_TEXTURE_BINDING_2D:

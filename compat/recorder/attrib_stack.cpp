@@ -12,6 +12,20 @@ namespace {
 constexpr TextureTarget kTargets[] = {TextureTarget::OneDimensional,
                                       TextureTarget::TwoDimensional};
 
+/// Calls with each unit selected; afterwards that of before is.
+template <class Action>
+void forEachUnit(Recorder& recorder, Action&& action) {
+    struct Selection {
+        Recorder& recorder;
+        const std::size_t unit;
+        ~Selection() { recorder.selectTextureUnit(unit); }
+    } const before{recorder, recorder.textureUnit()};
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit) {
+        recorder.selectTextureUnit(unit);
+        action(unit);
+    }
+}
+
 SavedState saved(Context& context, uint32_t groups) {
     Recorder& recorder = context.recorder();
     SavedState state;
@@ -24,12 +38,20 @@ SavedState saved(Context& context, uint32_t groups) {
     state.frame = recorder.frameSettings();
     state.pixels = recorder.pixelDrawingNow();
     state.matrixMode = recorder.matrices().mode();
-    for (const TextureTarget target : kTargets) {
-        state.textures[int(target)] = recorder.textures().bound(target);
-        state.textureParameters[int(target)] = recorder.textures().parameters(target);
-    }
+    state.textureUnit = recorder.textureUnit();
+    forEachUnit(recorder, [&](std::size_t unit) {
+        for (const TextureTarget target : kTargets)
+            state.textures[unit][int(target)] = {recorder.textures().bound(target),
+                                                 recorder.textures().parameters(target)};
+    });
     state.listBase = context.lists().base();
     return state;
+}
+
+void restoreEnables(FixedTexture& texture, const FixedTexture& was) {
+    texture.enabled1D = was.enabled1D;
+    texture.enabled2D = was.enabled2D;
+    for (int k = 0; k < 4; ++k) texture.generate[k].enabled = was.generate[k].enabled;
 }
 
 void restoreEnables(FixedState& state, const FixedState& was) {
@@ -44,10 +66,10 @@ void restoreEnables(FixedState& state, const FixedState& was) {
     for (int i = 0; i < kFixedLights; ++i)
         lighting.lights[i].enabled = was.lighting.lights[i].enabled;
     state.fog.enabled = was.fog.enabled;
-    state.texture.enabled1D = was.texture.enabled1D;
-    state.texture.enabled2D = was.texture.enabled2D;
-    for (int k = 0; k < 4; ++k)
-        state.texture.generate[k].enabled = was.texture.generate[k].enabled;
+    restoreEnables(state.texture, was.texture);
+    for (std::size_t i = 0; i < state.moreTextures.size(); ++i)
+        restoreEnables(state.moreTextures[i],
+                       i < was.moreTextures.size() ? was.moreTextures[i] : FixedTexture());
     state.ops.alphaTest = was.ops.alphaTest;
     state.ops.depthTest = was.ops.depthTest;
     state.ops.blend = was.ops.blend;
@@ -130,7 +152,10 @@ FixedState restoredFixed(const FixedState& now, const SavedState& saved) {
         state.fog = was.fog;
         state.lighting.colorSum = was.lighting.colorSum;
     }
-    if (has(kTextureGroup)) state.texture = was.texture;
+    if (has(kTextureGroup)) {
+        state.texture = was.texture;
+        state.moreTextures = was.moreTextures;
+    }
     if (has(kColorBufferGroup)) restoreColorBuffer(state.ops, was.ops);
     if (has(kDepthBufferGroup)) {
         state.ops.depthTest = was.ops.depthTest;
@@ -193,15 +218,16 @@ void restoreFrame(FrameSettings& frame, const SavedState& saved) {
 }
 
 /// A texture that was deleted since is not made again.
-void restoreTexture(TextureStore& textures, TextureTarget target, const SavedState& saved) {
-    const uint32_t id = saved.textures[int(target)];
+void restoreTexture(TextureStore& textures, TextureTarget target,
+                    const SavedState::Texture& saved) {
+    const uint32_t id = saved.id;
     if (id != 0 && !textures.exists(id, target)) {
         textures.bind(0, target);
         return;
     }
     textures.bind(id, target);
-    const TextureParameters& parameters = saved.textureParameters[int(target)];
-    if (textures.parameters(target) != parameters) textures.setParameters(parameters, target);
+    if (textures.parameters(target) != saved.parameters)
+        textures.setParameters(saved.parameters, target);
 }
 
 } // namespace
@@ -230,9 +256,13 @@ void popAttributes(Context& context) {
     restoreIdle(recorder.idleState(), saved);
     restoreFrame(recorder.frameSettings(), saved);
     restorePixels(recorder.pixelDrawing(), saved);
-    if (has(kTextureGroup))
-        for (const TextureTarget target : kTargets)
-            restoreTexture(recorder.textures(), target, saved);
+    if (has(kTextureGroup)) {
+        forEachUnit(recorder, [&](std::size_t unit) {
+            for (const TextureTarget target : kTargets)
+                restoreTexture(recorder.textures(), target, saved.textures[unit][int(target)]);
+        });
+        recorder.selectTextureUnit(saved.textureUnit);
+    }
     if (has(kTransformGroup)) recorder.matrices().setMode(saved.matrixMode);
     if (has(kListGroup)) context.lists().setBase(saved.listBase);
 }

@@ -55,8 +55,12 @@ struct SavedState {
     FrameSettings frame;
     PixelDrawing pixels;
     MatrixMode matrixMode = MatrixMode::ModelView;
-    uint32_t textures[2] = {}; ///< bound, by target, and their parameters
-    TextureParameters textureParameters[2];
+    std::size_t textureUnit = 0;
+    struct Texture {
+        uint32_t id = 0;
+        TextureParameters parameters;
+    };
+    Texture textures[kTextureUnits][2]; ///< bound, by unit and target
     uint32_t listBase = 0;
 };
 

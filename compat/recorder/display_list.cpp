@@ -16,10 +16,9 @@ std::size_t wordCount(ListOp op) {
     switch (op) {
     case ListOp::Vertex3:
     case ListOp::Normal: return 3;
-    case ListOp::Color:
-    case ListOp::TexCoord: return 4;
+    case ListOp::Color: return 4;
     case ListOp::Vertex4: return 8;
-    default: return 0;
+    default: return op >= ListOp::TexCoord ? 4 : 0;
     }
 }
 
@@ -132,7 +131,7 @@ void DisplayList::noteWhatIsLeft(ListSegment& run) const {
     for (CallStream::Position at = run.begin; at.op < run.end.op; calls_.advance(at)) {
         const ListOp op = calls_.op(at);
         if (op == ListOp::Color) run.color = calls_.vec4At(at);
-        if (op == ListOp::TexCoord) run.texCoord = calls_.vec4At(at);
+        if (op >= ListOp::TexCoord) run.texCoords[calls_.unitAt(at)] = calls_.vec4At(at);
         if (op == ListOp::Normal) run.normal = calls_.vec3At(at);
         if (op == ListOp::Attribute) run.attributeCalls.push_back(at.call);
     }

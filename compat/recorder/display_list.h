@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "compat/recorder/compiled_run.h"
+#include "libsmart/geometry/texture_units.h"
 
 namespace smart::compat {
 
@@ -36,7 +38,7 @@ enum class ListOp : uint8_t {
     Vertex4,
     Normal,
     Color,
-    TexCoord,
+    TexCoord, ///< of the first texture unit; those of the others follow
 };
 
 /// Calls in order: one byte each, and their arguments in the order of reading. The vertices and
@@ -53,7 +55,9 @@ public:
     void vertex(const glm::dvec4& position);
     void normal(const glm::vec3& v) { floats(ListOp::Normal, &v.x, 3); }
     void color(const glm::vec4& v) { floats(ListOp::Color, &v.x, 4); }
-    void texCoord(const glm::vec4& v) { floats(ListOp::TexCoord, &v.x, 4); }
+    void texCoord(const glm::vec4& v, std::size_t unit) {
+        floats(ListOp(std::size_t(ListOp::TexCoord) + unit), &v.x, 4);
+    }
 
     Position end() const { return {ops_.size(), words_.size(), calls_.size()}; }
     ListOp op(const Position& at) const { return ops_[at.op]; }
@@ -61,6 +65,9 @@ public:
     glm::dvec4 vertexAt(const Position& at) const;
     glm::vec3 vec3At(const Position& at) const { return {word(at, 0), word(at, 1), word(at, 2)}; }
     glm::vec4 vec4At(const Position& at) const { return {vec3At(at), word(at, 3)}; }
+    std::size_t unitAt(const Position& at) const {
+        return std::size_t(op(at)) - std::size_t(ListOp::TexCoord);
+    }
     const RecordedCall& callAt(const Position& at) const { return calls_[at.call]; }
     const RecordedCall& call(std::size_t number) const { return calls_[number]; }
 
@@ -82,7 +89,8 @@ struct ListSegment {
     bool isRun = false;
 
     // What a run leaves as current values.
-    std::optional<glm::vec4> color, texCoord;
+    std::optional<glm::vec4> color;
+    std::array<std::optional<glm::vec4>, kTextureUnits> texCoords;
     std::optional<glm::vec3> normal;
     std::vector<std::size_t> attributeCalls;
 
@@ -123,7 +131,9 @@ public:
     bool vertex(const glm::dvec4& v) noexcept { return keep([&] { calls_.vertex(v); }); }
     bool normal(const glm::vec3& v) noexcept { return keep([&] { calls_.normal(v); }); }
     bool color(const glm::vec4& v) noexcept { return keep([&] { calls_.color(v); }); }
-    bool texCoord(const glm::vec4& v) noexcept { return keep([&] { calls_.texCoord(v); }); }
+    bool texCoord(const glm::vec4& v, std::size_t unit) noexcept {
+        return keep([&] { calls_.texCoord(v, unit); });
+    }
     /// A call that there was no memory to copy.
     bool lose() noexcept;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/fixed_state_recorder.h"
 
+#include <algorithm>
 #include <glm/matrix.hpp>
 
 #include "compat/recorder/transforms.h"
@@ -27,6 +28,35 @@ bool generatesFromObject(const FixedTexture& texture) {
     return false;
 }
 
+bool generatesFromObject(const FixedState& state) {
+    return generatesFromObject(state.texture) ||
+           std::any_of(state.moreTextures.begin(), state.moreTextures.end(),
+                       [](const FixedTexture& unit) { return generatesFromObject(unit); });
+}
+
+bool same(const TextureSource& a, const TextureSource& b) {
+    if (a.image != b.image) return false;
+    return !a.image || (a.texture1D == b.texture1D && a.texture2D == b.texture2D &&
+                        a.matrix == b.matrix);
+}
+
+/// The unit as a block holds it.
+void complete(FixedTexture& texture, const TextureSource& source, const glm::dmat4& objectToEye) {
+    if (!source.image) {
+        texture = start().texture;
+        return;
+    }
+    texture.image = source.image;
+    texture.texture1D = source.texture1D;
+    texture.texture2D = source.texture2D;
+    texture.matrix = source.matrix;
+    // A plane in object coordinates goes through the inverse matrix, as clip planes do.
+    glm::dmat4 eyeToObject;
+    if (generatesFromObject(texture) && invert(objectToEye, eyeToObject))
+        for (TexGen& coordinate : texture.generate)
+            coordinate.objectPlane = glm::vec4(glm::dvec4(coordinate.objectPlane) * eyeToObject);
+}
+
 void setComponent(FixedMaterial& material, ColorMaterialMode mode, const glm::vec4& color) {
     switch (mode) {
     case ColorMaterialMode::Emission: material.emission = color; break;
@@ -43,6 +73,17 @@ void setComponent(FixedMaterial& material, ColorMaterialMode mode, const glm::ve
 
 FixedStateRecorder::FixedStateRecorder() : state_(startState()) {}
 
+const FixedTexture& FixedStateRecorder::texture() const {
+    if (unit_ == 0) return state_.texture;
+    return unit_ <= state_.moreTextures.size() ? state_.moreTextures[unit_ - 1] : start().texture;
+}
+
+FixedTexture& FixedStateRecorder::changeTexture() {
+    if (unit_ == 0) return change().texture;
+    if (state_.moreTextures.size() < unit_) state_.moreTextures.resize(unit_);
+    return change().moreTextures[unit_ - 1];
+}
+
 void FixedStateRecorder::setDepthTest(bool on, bool chosen) {
     change().ops.depthTest = on;
     depthTestChosen_ = chosen;
@@ -53,11 +94,12 @@ void FixedStateRecorder::bufferCleared() {
 }
 
 bool FixedStateRecorder::sameSources(const FixedStateSources& sources) const {
-    if (sources.image != sources_.image) return false;
-    if (!sources.image) return true;
-    return sources.texture1D == sources_.texture1D && sources.texture2D == sources_.texture2D &&
-           sources.textureMatrix == sources_.textureMatrix &&
-           (sources.objectToEye == sources_.objectToEye || !generatesFromObject(state_.texture));
+    if (!same(sources.texture, sources_.texture) ||
+        !std::equal(sources.moreTextures.begin(), sources.moreTextures.end(),
+                    sources_.moreTextures.begin(), sources_.moreTextures.end(), same))
+        return false;
+    if (!sources.texture.image && sources.moreTextures.empty()) return true;
+    return sources.objectToEye == sources_.objectToEye || !generatesFromObject(state_);
 }
 
 FixedState FixedStateRecorder::effective(const FixedStateSources& sources) const {
@@ -74,20 +116,10 @@ FixedState FixedStateRecorder::effective(const FixedStateSources& sources) const
         state.lighting.colorSum = false; // the sum is always taken
     }
     if (!state.fog.enabled) state.fog = start().fog;
-    if (sources.image) {
-        state.texture.image = sources.image;
-        state.texture.texture1D = sources.texture1D;
-        state.texture.texture2D = sources.texture2D;
-        state.texture.matrix = sources.textureMatrix;
-        // A plane in object coordinates goes through the inverse matrix, as clip planes do.
-        glm::dmat4 eyeToObject;
-        if (generatesFromObject(state.texture) && invert(sources.objectToEye, eyeToObject))
-            for (TexGen& coordinate : state.texture.generate)
-                coordinate.objectPlane = glm::vec4(glm::dvec4(coordinate.objectPlane) *
-                                                   eyeToObject);
-    } else {
-        state.texture = start().texture;
-    }
+    complete(state.texture, sources.texture, sources.objectToEye);
+    state.moreTextures.resize(sources.moreTextures.size());
+    for (std::size_t i = 0; i < state.moreTextures.size(); ++i)
+        complete(state.moreTextures[i], sources.moreTextures[i], sources.objectToEye);
     return state;
 }
 

@@ -6,16 +6,23 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <vector>
 
 #include "libsmart/shading/fixed_state.h"
 
 namespace smart::compat {
 
-/// What a block holds that other parts of the recorder keep.
-struct FixedStateSources {
+/// What a block's texture unit holds that other parts of the recorder keep.
+struct TextureSource {
     uint32_t texture1D = 0, texture2D = 0; ///< ids bound
     std::shared_ptr<const Texture> image;  ///< of the enabled one; nullptr: no complete one
-    glm::dmat4 textureMatrix{1.0};
+    glm::dmat4 matrix{1.0};
+};
+
+/// The same of a block.
+struct FixedStateSources {
+    TextureSource texture;
+    std::vector<TextureSource> moreTextures; ///< up to the last unit with a texture
     /// Of loose geometry, whose vertices are kept in eye space: what leads there from the
     /// coordinates that the application gave. The identity for objects, which keep their own.
     glm::dmat4 objectToEye{1.0};
@@ -34,6 +41,11 @@ public:
         changed_ = true;
         return state_;
     }
+
+    /// The texture unit that is asked for and changed.
+    void selectUnit(std::size_t unit) noexcept { unit_ = unit; }
+    const FixedTexture& texture() const;
+    FixedTexture& changeTexture();
 
     /// Programs that never clear a buffer, nor choose, have the depth test on from the start;
     /// from the first clear on it is OpenGL's start, off.
@@ -54,6 +66,7 @@ private:
     bool sameSources(const FixedStateSources& sources) const;
 
     FixedState state_;
+    std::size_t unit_ = 0;
     bool depthTestChosen_ = false;
     bool changed_ = false;
     FixedStateSources sources_; ///< of block_

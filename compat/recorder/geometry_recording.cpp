@@ -74,6 +74,11 @@ void GeometryRecording::reserveVertex(const Attributes& attributes, const BoundS
     if (given.color) makeRoom(shading.colors, 1);
     if (given.secondaryColor) makeRoom(shading.secondaryColors, 1);
     if (given.fogCoordinate) makeRoom(shading.fogCoordinates, 1);
+    if (given.moreTexCoords) {
+        if (shading.moreTexCoords.empty()) shading.moreTexCoords.resize(kMoreUnits);
+        for (std::size_t unit = 0; unit < kMoreUnits; ++unit)
+            if (given.moreTexCoords >> unit & 1u) makeRoom(shading.moreTexCoords[unit].values, 1);
+    }
     if (given.materials) {
         makeRoom(shading.vertexMaterials, 1);
         makeRoom(shading.materials, 1);
@@ -180,6 +185,11 @@ void GeometryRecording::vertex(const glm::vec3& position, const Attributes& attr
           glm::vec3(attributes.secondaryColor));
     latch(given.fogCoordinate, shading.firstFogCoordinate, shading.fogCoordinates,
           attributes.fogCoordinate);
+    for (std::size_t unit = 0; unit < kMoreUnits && given.moreTexCoords; ++unit)
+        if (given.moreTexCoords >> unit & 1u) {
+            UnitTexCoords& texCoords = shading.moreTexCoords[unit];
+            latch(true, texCoords.first, texCoords.values, attributes.moreTexCoords[unit]);
+        }
     if (given.materials)
         latch(true, shading.firstMaterial, shading.vertexMaterials,
               materialsNumber(attributes.materials));

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <vector>
 
 #include "libsmart/base/error.h"
+#include "libsmart/geometry/texture_units.h"
 
 namespace smart::compat {
 
@@ -39,25 +41,43 @@ private:
 
 enum class MatrixMode : uint8_t { ModelView, Projection, Texture };
 
-/// The three stacks, and which of them matrix calls act on. A plain value: objects save a copy.
+/// The three stacks, those of the textures once for each unit, and which of them matrix calls act
+/// on. A plain value: objects save a copy.
 class Matrices {
 public:
     MatrixMode mode() const { return mode_; }
     void setMode(MatrixMode mode) { mode_ = mode; }
-    MatrixStack& current() { return stacks_[std::size_t(mode_)]; }
-    const MatrixStack& stack(MatrixMode mode) const { return stacks_[std::size_t(mode)]; }
+    /// The texture unit that matrix calls are about.
+    void selectUnit(std::size_t unit) noexcept { unit_ = unit; }
+    /// Throws std::bad_alloc for a unit's first call.
+    MatrixStack& current() {
+        if (mode_ != MatrixMode::Texture || unit_ == 0) return stacks_[std::size_t(mode_)];
+        if (more_.size() < unit_) more_.resize(unit_);
+        return more_[unit_ - 1];
+    }
+    const MatrixStack& stack(MatrixMode mode) const {
+        return mode == MatrixMode::Texture ? textureStack(unit_) : stacks_[std::size_t(mode)];
+    }
+    const MatrixStack& textureStack(std::size_t unit) const {
+        static const MatrixStack initial;
+        if (unit == 0) return stacks_[std::size_t(MatrixMode::Texture)];
+        return unit <= more_.size() ? more_[unit - 1] : initial;
+    }
     const glm::dmat4& modelView() const { return stack(MatrixMode::ModelView).top(); }
     const glm::dmat4& projection() const { return stack(MatrixMode::Projection).top(); }
 
     /// As an object starts: its own coordinates, and nothing of before can be popped.
     void enterObject() {
         for (MatrixStack& stack : stacks_) stack.closeBelow();
+        for (MatrixStack& stack : more_) stack.closeBelow();
         mode_ = MatrixMode::ModelView;
         current().load(glm::dmat4(1.0));
     }
 
 private:
     std::array<MatrixStack, 3> stacks_;
+    std::vector<MatrixStack> more_; ///< of the units after the first, as far as they were used
+    std::size_t unit_ = 0;
     MatrixMode mode_ = MatrixMode::ModelView;
 };
 

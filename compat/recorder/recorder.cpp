@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <utility>
 
 #include "compat/recorder/transforms.h"
 #include "libsmart/base/error.h"
@@ -12,11 +13,14 @@ namespace smart::compat {
 
 namespace {
 
-bool usesNormals(const FixedState& state) {
-    const TexGen* const begin = std::begin(state.texture.generate);
-    return state.lighting.enabled ||
-           std::any_of(begin, std::end(state.texture.generate),
+bool generates(const FixedTexture& texture) {
+    return std::any_of(std::begin(texture.generate), std::end(texture.generate),
                        [](const TexGen& coordinate) { return coordinate.enabled; });
+}
+
+bool usesNormals(const FixedState& state) {
+    return state.lighting.enabled || generates(state.texture) ||
+           std::any_of(state.moreTextures.begin(), state.moreTextures.end(), generates);
 }
 
 } // namespace
@@ -78,17 +82,46 @@ FixedStatePtr Recorder::instanceState(const Matrices& matrices) {
 }
 
 FixedStateSources Recorder::stateSources(const Matrices& matrices, const glm::dmat4& objectToEye) {
+    const FixedState& state = fixedState_.state();
     FixedStateSources sources;
-    sources.texture1D = textures_.bound(TextureTarget::OneDimensional);
-    sources.texture2D = textures_.bound(TextureTarget::TwoDimensional);
-    // Two dimensions go before one; an incomplete texture counts as switched off.
-    const FixedTexture& texture = fixedState_.state().texture;
-    if (texture.enabled2D) sources.image = textures_.completeBound(TextureTarget::TwoDimensional);
-    if (texture.enabled1D && !sources.image)
-        sources.image = textures_.completeBound(TextureTarget::OneDimensional);
-    sources.textureMatrix = matrices.stack(MatrixMode::Texture).top();
+    sources.texture = textureSource(state.texture, 0, matrices);
+    for (std::size_t unit = 1; unit <= state.moreTextures.size(); ++unit) {
+        TextureSource source = textureSource(state.moreTextures[unit - 1], unit, matrices);
+        if (!source.image) continue;
+        sources.moreTextures.resize(unit);
+        sources.moreTextures.back() = std::move(source);
+    }
     sources.objectToEye = objectToEye;
     return sources;
+}
+
+TextureSource Recorder::textureSource(const FixedTexture& texture, std::size_t unit,
+                                      const Matrices& matrices) {
+    constexpr TextureTarget k1D = TextureTarget::OneDimensional,
+                            k2D = TextureTarget::TwoDimensional;
+    TextureSource source;
+    source.texture1D = textures_.boundTo(k1D, unit);
+    source.texture2D = textures_.boundTo(k2D, unit);
+    // Two dimensions go before one; an incomplete texture counts as switched off.
+    if (texture.enabled2D) source.image = textures_.completeBound(k2D, unit);
+    if (texture.enabled1D && !source.image) source.image = textures_.completeBound(k1D, unit);
+    source.matrix = matrices.textureStack(unit).top();
+    return source;
+}
+
+void Recorder::selectTextureUnit(std::size_t unit) {
+    requireOutsidePrimitive();
+    textureUnit_ = unit;
+    textures_.selectUnit(unit);
+    matrices_.selectUnit(unit);
+    fixedState_.selectUnit(unit);
+}
+
+std::shared_ptr<const MoreTexCoords> Recorder::sharedTexCoords(const Attributes& attributes) {
+    if (!attributes.moreTexCoordsGiven) return nullptr;
+    if (!sharedTexCoords_ || *sharedTexCoords_ != attributes.moreTexCoords)
+        sharedTexCoords_ = std::make_shared<const MoreTexCoords>(attributes.moreTexCoords);
+    return sharedTexCoords_;
 }
 
 void Recorder::end() {
@@ -116,12 +149,7 @@ void Recorder::vertex(const glm::dvec4& position) {
         const FixedStatePtr& state = scene().looseState;
         loose.given = {};
         loose.given.normal = normalEverGiven_ || (state && usesNormals(*state));
-        scene().looseInherited.color = attributes_.color;
-        scene().looseInherited.normal = attributes_.normal;
-        scene().looseInherited.texCoord = attributes_.texCoord;
-        scene().looseInherited.materials = attributes_.materials;
-        scene().looseInherited.secondaryColor = glm::vec3(attributes_.secondaryColor);
-        scene().looseInherited.fogCoordinate = attributes_.fogCoordinate;
+        scene().looseInherited = inheritedFrom(attributes_);
     }
     loose.vertex(place, attributes_, normal, shader);
     ++scene().additions;
@@ -137,12 +165,19 @@ void Recorder::color(const glm::vec4& color) {
     attributes_.color = color;
 }
 
-void Recorder::texCoord(const glm::vec4& texCoord) {
-    if (open_)
-        open_->recording.given.texCoord = true;
-    else if (texCoord != attributes_.texCoord)
-        scene().loose.given.texCoord = true;
-    attributes_.texCoord = texCoord;
+void Recorder::texCoord(const glm::vec4& texCoord, std::size_t unit) {
+    const bool isFirst = unit == 0;
+    glm::vec4& current =
+        isFirst ? attributes_.texCoord : attributes_.moreTexCoords[unit - 1];
+    if (open_ || texCoord != current) {
+        AttributesGiven& given = open_ ? open_->recording.given : scene().loose.given;
+        if (isFirst)
+            given.texCoord = true;
+        else
+            given.moreTexCoords |= uint8_t(1u << (unit - 1));
+    }
+    if (!isFirst) attributes_.moreTexCoordsGiven = true;
+    current = texCoord;
 }
 
 void Recorder::secondaryColor(const glm::vec4& color) {
@@ -179,6 +214,9 @@ void Recorder::restoreAttributes(const Attributes& attributes) {
     const Attributes now = attributes_;
     color(attributes.color);
     texCoord(attributes.texCoord);
+    if (now.moreTexCoordsGiven)
+        for (std::size_t unit = 1; unit < kTextureUnits; ++unit)
+            texCoord(attributes.texCoordOf(unit), unit);
     if (attributes.normal != now.normal) normal(attributes.normal);
     secondaryColor(attributes.secondaryColor);
     fogCoordinate(attributes.fogCoordinate);

@@ -49,7 +49,7 @@ public:
     void vertex(const glm::dvec4& position);
     void color(const glm::vec4& color);
     void normal(const glm::vec3& normal);
-    void texCoord(const glm::vec4& texCoord);
+    void texCoord(const glm::vec4& texCoord, std::size_t unit = 0);
     /// The materials of both sides; legal everywhere.
     void setMaterials(FixedMaterials materials);
     /// As they are now: what follows the current colour is brought up to date.
@@ -74,6 +74,9 @@ public:
     Matrices& matrices() { return requireOutsidePrimitive(), matrices_; }
     ShaderCatalog& shaders() { return requireOutsidePrimitive(), shaders_; }
     TextureStore& textures() { return requireOutsidePrimitive(), textures_; }
+    /// The texture unit that calls about textures, their environment and matrices mean.
+    std::size_t textureUnit() const { return textureUnit_; }
+    void selectTextureUnit(std::size_t unit);
     PixelStore& pixelStore() { return requireOutsidePrimitive(), pixelStore_; }
     /// Of pixels that are read back.
     PixelStore& packStore() { return requireOutsidePrimitive(), packStore_; }
@@ -82,6 +85,7 @@ public:
     /// To be changed.
     FixedStateRecorder& fixedState() { return requireOutsideObject(), fixedState_; }
     const FixedState& fixedStateNow() const { return fixedState_.state(); }
+    const FixedTexture& fixedTextureNow() const { return fixedState_.texture(); }
     IdleState& idleState() { return requireOutsideObject(), idleState_; }
     const IdleState& idleStateNow() const { return idleState_; }
     /// As before a push of attributes.
@@ -201,6 +205,11 @@ private:
     FixedStatePtr instanceState(const Matrices& matrices);
     FixedStatePtr looseState();
     FixedStateSources stateSources(const Matrices& matrices, const glm::dmat4& objectToEye);
+    TextureSource textureSource(const FixedTexture& texture, std::size_t unit,
+                                const Matrices& matrices);
+    InheritedAttributes inheritedFrom(const Attributes& attributes);
+    /// As instances share them; nullptr: OpenGL's initial ones.
+    std::shared_ptr<const MoreTexCoords> sharedTexCoords(const Attributes& attributes);
     void beginLoose(Primitive primitive);
     /// Ends the loose run if it has another state than what comes now.
     void openLooseRun();
@@ -227,6 +236,8 @@ private:
     Matrices matrices_;
     ShaderCatalog shaders_;
     TextureStore textures_;
+    std::size_t textureUnit_ = 0;
+    std::shared_ptr<const MoreTexCoords> sharedTexCoords_; ///< the last ones that were
     PixelStore pixelStore_, packStore_;
     BuildHints buildHints_;
     FrameSettings frameSettings_;

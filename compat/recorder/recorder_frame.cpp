@@ -70,6 +70,10 @@ void Recorder::resumeLooseRun() noexcept {
     given.secondaryColor |=
         glm::vec3(attributes_.secondaryColor) != scene().looseInherited.secondaryColor;
     given.fogCoordinate |= attributes_.fogCoordinate != scene().looseInherited.fogCoordinate;
+    const MoreTexCoords* const inherited = scene().looseInherited.moreTexCoords.get();
+    for (std::size_t unit = 0; unit < kMoreUnits; ++unit)
+        if (attributes_.moreTexCoords[unit] != (inherited ? *inherited : MoreTexCoords())[unit])
+            given.moreTexCoords |= uint8_t(1u << unit);
 }
 
 std::shared_ptr<Shader> Recorder::shaderOfKind(uint32_t id, RTenum kind,

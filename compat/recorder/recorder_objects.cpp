@@ -13,12 +13,6 @@ namespace smart::compat {
 
 namespace {
 
-InheritedAttributes inheritedFrom(const Attributes& attributes) {
-    return {attributes.color,     attributes.normal,
-            attributes.texCoord,  attributes.materials,
-            attributes.secondaryColor, attributes.fogCoordinate};
-}
-
 std::shared_ptr<const ShaderReplacement> replacementOfAll(const std::shared_ptr<Shader>& by) {
     auto replacement = std::make_shared<ShaderReplacement>();
     replacement->all = true;
@@ -28,6 +22,18 @@ std::shared_ptr<const ShaderReplacement> replacementOfAll(const std::shared_ptr<
 }
 
 } // namespace
+
+InheritedAttributes Recorder::inheritedFrom(const Attributes& attributes) {
+    InheritedAttributes inherited;
+    inherited.color = attributes.color;
+    inherited.normal = attributes.normal;
+    inherited.texCoord = attributes.texCoord;
+    inherited.materials = attributes.materials;
+    inherited.secondaryColor = glm::vec3(attributes.secondaryColor);
+    inherited.fogCoordinate = attributes.fogCoordinate;
+    inherited.moreTexCoords = sharedTexCoords(attributes);
+    return inherited;
+}
 
 const Recorder::Object& Recorder::object(uint32_t id) const {
     const auto found = objects_.find(id);
@@ -104,6 +110,7 @@ BuildQuality Recorder::qualityFor(const BuildHints& hints, const Object* old,
 
 void Recorder::closeObject() noexcept {
     matrices_ = open_->savedMatrices;
+    matrices_.selectUnit(textureUnit_);
     attributes_ = open_->savedAttributes;
     open_.reset();
 }
@@ -196,6 +203,7 @@ void Recorder::place(uint32_t id, std::shared_ptr<const ShaderReplacement> repla
     instance.inherited.ownMaterials = given.materials;
     instance.inherited.ownSecondaryColor = given.secondaryColor;
     instance.inherited.ownFogCoordinate = given.fogCoordinate;
+    instance.inherited.ownMoreTexCoords = given.moreTexCoords;
     open_->recording.addChild(std::move(instance), placed.model->levels,
                               reshaded ? shaders : placed.shaders);
 }

@@ -42,6 +42,7 @@ void Recorder::setRasterPosition(const glm::dvec4& position) {
     vertex.normal = looseNormalMatrix() * glm::dvec3(attributes_.normal);
     vertex.color = attributes_.color;
     vertex.texCoord = attributes_.texCoord;
+    vertex.moreTexCoords = attributes_.moreTexCoords;
     vertex.fogCoordinate = attributes_.fogCoordinate;
     vertex.secondaryColor = glm::vec3(attributes_.secondaryColor);
     const FixedMaterials materialsNow = materials();
@@ -60,6 +61,17 @@ void Recorder::setRasterPosition(const glm::dvec4& position) {
     raster.lit = clip.lit;
     if (!state.lighting.enabled) // even where nothing adds it now
         raster.lit.secondary = clampedToUnit(attributes_.secondaryColor);
+    // Of all units, whether they have a texture or not.
+    vertex.objectPosition = position;
+    const FixedState& units = fixedState_.state();
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit) {
+        FixedTexture texture = unit == 0                           ? units.texture
+                               : unit <= units.moreTextures.size() ? units.moreTextures[unit - 1]
+                                                                   : FixedTexture();
+        texture.matrix = matrices_.textureStack(unit).top();
+        (unit == 0 ? raster.lit.texCoord : raster.lit.moreTexCoords[unit - 1]) =
+            transformedTexCoord(state, texture, vertex, attributes_.texCoordOf(unit));
+    }
     if (!state.fog.fromCoordinate) raster.lit.fogDistance = float(std::fabs(vertex.position.z));
 }
 
@@ -71,6 +83,7 @@ void Recorder::setWindowPosition(const glm::dvec3& position) {
     raster.window = {position.x, position.y, near + depth * (far - near)};
     raster.lit.primary = clampedToUnit(attributes_.color);
     raster.lit.texCoord = attributes_.texCoord;
+    raster.lit.moreTexCoords = attributes_.moreTexCoords;
     raster.lit.secondary = clampedToUnit(attributes_.secondaryColor);
     if (fixedState_.state().fog.fromCoordinate) raster.lit.fogDistance = attributes_.fogCoordinate;
     pixelDrawing_.raster = raster;

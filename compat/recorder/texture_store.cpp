@@ -25,8 +25,10 @@ uint32_t TextureStore::generate() {
 
 void TextureStore::remove(uint32_t id) {
     if (id == 0 || objects_.erase(id) == 0) return;
-    if (bound_[0] == id) bound_[0] = kDefault1D;
-    if (bound_[1] == id) bound_[1] = 0;
+    for (Bindings& unit : bound_) {
+        if (unit.keys[0] == id) unit.keys[0] = kDefault1D;
+        if (unit.keys[1] == id) unit.keys[1] = 0;
+    }
     table_.reset();
 }
 
@@ -39,7 +41,7 @@ void TextureStore::bind(uint32_t id, TextureTarget target) {
         throw Error(ErrorCode::InvalidOperation,
                     "the texture has another number of dimensions");
     object.target = target;
-    bound_[std::size_t(target)] = key;
+    bound_[unit_].keys[std::size_t(target)] = key;
 }
 
 bool TextureStore::exists(uint32_t id) const {
@@ -173,8 +175,9 @@ void TextureStore::Object::freeze() {
     stale = false;
 }
 
-std::shared_ptr<const Texture> TextureStore::completeBound(TextureTarget target) {
-    Object& object = objects_.at(keyOfBound(target));
+std::shared_ptr<const Texture> TextureStore::completeBound(TextureTarget target,
+                                                           std::size_t unit) {
+    Object& object = objects_.at(bound_[unit].keys[std::size_t(target)]);
     if (object.stale) object.freeze();
     return object.whole ? object.texture : nullptr;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "libsmart/geometry/texture_units.h"
 #include "libsmart/shading/texture.h"
 
 namespace smart::compat {
@@ -40,14 +41,16 @@ public:
     static constexpr uint32_t kMaxSize = 16384;
     static constexpr uint32_t kMaxLevel = 14; ///< of a texture of that size, a single texel
 
+    /// The texture unit whose bindings all that follows is about.
+    void selectUnit(std::size_t unit) { unit_ = unit; }
+
     /// An unused id, reserved until it is bound.
     uint32_t generate();
     void remove(uint32_t id);
     /// A texture has the number of dimensions that it was first bound with.
     void bind(uint32_t id, TextureTarget target = kDefaultTarget);
     uint32_t bound(TextureTarget target = kDefaultTarget) const {
-        const uint32_t key = keyOfBound(target);
-        return key == kDefault1D ? 0 : key;
+        return boundTo(target, unit_);
     }
     bool exists(uint32_t id) const;
     /// It exists and has this number of dimensions.
@@ -75,7 +78,15 @@ public:
     std::shared_ptr<const TextureTable> freeze();
     /// The bound texture as it is now, for fixed function; nullptr: it is incomplete. Texture 0 is
     /// one too.
-    std::shared_ptr<const Texture> completeBound(TextureTarget target = kDefaultTarget);
+    std::shared_ptr<const Texture> completeBound(TextureTarget target = kDefaultTarget) {
+        return completeBound(target, unit_);
+    }
+    /// The same of any unit.
+    std::shared_ptr<const Texture> completeBound(TextureTarget target, std::size_t unit);
+    uint32_t boundTo(TextureTarget target, std::size_t unit) const {
+        const uint32_t key = bound_[unit].keys[std::size_t(target)];
+        return key == kDefault1D ? 0 : key;
+    }
 
 private:
     static constexpr TextureTarget kDefaultTarget = TextureTarget::TwoDimensional;
@@ -106,8 +117,14 @@ private:
     };
 
     std::map<uint32_t, Object> objects_;
-    uint32_t keyOfBound(TextureTarget target) const { return bound_[std::size_t(target)]; }
-    uint32_t bound_[2] = {kDefault1D, 0}; ///< by target
+    uint32_t keyOfBound(TextureTarget target) const {
+        return bound_[unit_].keys[std::size_t(target)];
+    }
+    struct Bindings {
+        uint32_t keys[2] = {kDefault1D, 0}; ///< by target
+    };
+    Bindings bound_[kTextureUnits];
+    std::size_t unit_ = 0;
     uint32_t lastGenerated_ = 0;
     std::shared_ptr<const TextureTable> table_; ///< nullptr: something changed
 };

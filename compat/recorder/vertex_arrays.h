@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "libsmart/geometry/texture_units.h"
+
 namespace smart::compat {
 
 /// Memory that vertex arrays and indices may lie in instead of the application's.
@@ -28,9 +30,15 @@ enum class ComponentType : uint8_t {
 };
 
 enum class ArrayKind : uint8_t {
-    EdgeFlag, TexCoord, Color, SecondaryColor, Normal, FogCoordinate, Index, Vertex
+    EdgeFlag, TexCoord, Color, SecondaryColor, Normal, FogCoordinate, Index, Vertex,
+    MoreTexCoords ///< of the second texture unit; those of the others follow
 };
-inline constexpr std::size_t kArrayKinds = 8;
+inline constexpr std::size_t kArrayKinds = std::size_t(ArrayKind::MoreTexCoords) + kMoreUnits;
+
+inline ArrayKind texCoordArray(std::size_t unit) {
+    return unit == 0 ? ArrayKind::TexCoord
+                     : ArrayKind(std::size_t(ArrayKind::MoreTexCoords) + unit - 1);
+}
 
 struct VertexArray {
     bool enabled = false;
@@ -45,6 +53,7 @@ struct VertexArray {
 struct VertexArrays {
     std::array<VertexArray, kArrayKinds> arrays;
     BufferBinding arrayBuffer, elementBuffer;
+    std::size_t unit = 0; ///< the texture unit that calls about texture coordinates mean
 
     VertexArrays() {
         (*this)[ArrayKind::Normal].size = 3;
@@ -53,6 +62,10 @@ struct VertexArrays {
         (*this)[ArrayKind::Index].size = 1;
         (*this)[ArrayKind::EdgeFlag].size = 1;
         (*this)[ArrayKind::EdgeFlag].type = ComponentType::UnsignedByte;
+    }
+    /// What a kind of array means for the unit that is selected.
+    ArrayKind selected(ArrayKind kind) const {
+        return kind == ArrayKind::TexCoord ? texCoordArray(unit) : kind;
     }
     VertexArray& operator[](ArrayKind kind) { return arrays[std::size_t(kind)]; }
     const VertexArray& operator[](ArrayKind kind) const { return arrays[std::size_t(kind)]; }

@@ -165,7 +165,10 @@ const ArrayNames* arrayNames(uint8_t kind) {
         {"rtNormalPointer", "rtNormal", false},
         {"rtFogCoordPointer", "rtFogCoord", false},
         {"rtIndexPointer", "rtIndex", false},
-        {"rtVertexPointer", "rtVertex", true}};
+        {"rtVertexPointer", "rtVertex", true},
+        {"rtTexCoordPointer", "rtMultiTexCoord", true, 1},
+        {"rtTexCoordPointer", "rtMultiTexCoord", true, 2},
+        {"rtTexCoordPointer", "rtMultiTexCoord", true, 3}};
     return kind < std::size(kNames) ? &kNames[kind] : nullptr;
 }
 

@@ -80,6 +80,7 @@ struct ArrayNames {
     const char* pointer;
     const char* immediate;
     bool hasSize;
+    unsigned unit = 0; ///< the texture unit that it belongs to
 };
 const ArrayNames* arrayNames(uint8_t kind);
 /// The function that gives an element's value by itself, such as rtVertex3fv; nullptr: none.

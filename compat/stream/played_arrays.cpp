@@ -94,9 +94,14 @@ void checkReach(const CallRecord& record, const CallValue* a) {
     }
 }
 
+RTenum unitOf(const RecordedArray& array) {
+    return RT_TEXTURE0 + arrayNames(array.kind)->unit;
+}
+
 /// Says where an array lies; with another buffer than now bound it would be an offset.
 void setArray(const RecordedArray& array, const void* pointer) {
     const char* const name = arrayNames(array.kind)->pointer;
+    rtClientActiveTexture(unitOf(array));
     const auto stride = RTsizei(array.stride);
     if (std::strcmp(name, "rtVertexPointer") == 0)
         rtVertexPointer(array.size, array.type, stride, pointer);
@@ -126,8 +131,9 @@ void playDrawing(const CallRecord& record, const CallValue* arguments, CallArena
     CallValue none;
     if (record.arrays.empty()) return invokeCall(*record.call, arguments, none);
     checkReach(record, arguments);
-    RTint bound = 0;
+    RTint bound = 0, unit = 0;
     rtGetIntegerv(RT_ARRAY_BUFFER_BINDING, &bound);
+    rtGetIntegerv(RT_CLIENT_ACTIVE_TEXTURE, &unit);
     rtBindBuffer(RT_ARRAY_BUFFER, 0);
     for (const RecordedArray& array : record.arrays) {
         immediate(array);
@@ -137,17 +143,21 @@ void playDrawing(const CallRecord& record, const CallValue* arguments, CallArena
                  reinterpret_cast<const void*>(start - uintptr_t(array.first * array.step())));
     }
     rtBindBuffer(RT_ARRAY_BUFFER, RTuint(bound));
+    rtClientActiveTexture(RTenum(unit));
     invokeCall(*record.call, arguments, none);
     rtBindBuffer(RT_ARRAY_BUFFER, 0);
     for (const RecordedArray& array : record.arrays) setArray(array, nullptr);
     rtBindBuffer(RT_ARRAY_BUFFER, RTuint(bound));
+    rtClientActiveTexture(RTenum(unit));
 }
 
 void playElement(const CallRecord& record, CallArena& arena) {
     for (const RecordedArray& array : record.arrays) {
+        const CallSignature& call = immediate(array);
         const CallValue pointer(arena.copy(array.bytes));
+        const CallValue ofUnit[] = {CallValue(unitOf(array)), pointer};
         CallValue none;
-        invokeCall(immediate(array), &pointer, none);
+        invokeCall(call, parametersOf(call).size() == 2 ? ofUnit : &pointer, none);
     }
 }
 

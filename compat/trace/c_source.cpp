@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compat/trace/c_source.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -268,6 +269,12 @@ private:
                 "        rtGetIntegerv(RT_ARRAY_BUFFER_BINDING, &bound);\n"
                 "        unbind();\n";
         }
+        const bool hasUnits =
+            std::any_of(record.arrays.begin(), record.arrays.end(), isTexCoord) && !arrays.empty();
+        if (hasUnits) {
+            out_ << "        RTint unit = 0;\n";
+            lines_ += "        rtGetIntegerv(RT_CLIENT_ACTIVE_TEXTURE, &unit);\n";
+        }
         out_ << lines_;
         for (std::size_t i = 0; i < arrays.size(); ++i)
             out_ << setArray(record.arrays[i], std::string("(const void *)((uintptr_t)")
@@ -277,6 +284,7 @@ private:
                                                                           record.arrays[i].step()))
                                                    .append("u)"));
         if (!arrays.empty()) out_ << "        rtBindBuffer(RT_ARRAY_BUFFER, (RTuint)bound);\n";
+        if (hasUnits) out_ << "        rtClientActiveTexture((RTenum)unit);\n";
         writeCall(record, text);
     }
 
@@ -300,9 +308,16 @@ private:
         return ValueKind::Void;
     }
 
+    static bool isTexCoord(const RecordedArray& array) {
+        return std::strcmp(arrayNames(array.kind)->pointer, "rtTexCoordPointer") == 0;
+    }
+
     static std::string setArray(const RecordedArray& array, const std::string& from) {
         const ArrayNames& names = *arrayNames(array.kind);
-        std::string text = std::string("        ") + names.pointer + "(";
+        std::string text;
+        if (isTexCoord(array))
+            text += "        rtClientActiveTexture(" + tokenText(RT_TEXTURE0 + names.unit) + ");\n";
+        text += std::string("        ") + names.pointer + "(";
         if (names.hasSize) text += std::to_string(array.size) + ", ";
         if (std::strcmp(names.pointer, "rtEdgeFlagPointer") != 0)
             text += tokenText(array.type) + ", ";
@@ -313,8 +328,13 @@ private:
         for (const RecordedArray& array : record.arrays) {
             const CallSignature* const call = immediateCall(array);
             if (!call) throw StreamError("a vertex array of a size or type that there is not");
-            const std::string name = data(parametersOf(*call)[0].element, array.bytes);
-            lines_ += std::string("        ") + call->name + "(" + name + ");\n";
+            const std::span<const CallParameter> parameters = parametersOf(*call);
+            const std::string name = data(parameters.back().element, array.bytes);
+            const std::string unit =
+                parameters.size() == 2
+                    ? tokenText(RT_TEXTURE0 + arrayNames(array.kind)->unit) + ", "
+                    : "";
+            lines_ += std::string("        ") + call->name + "(" + unit + name + ");\n";
         }
         out_ << lines_;
     }

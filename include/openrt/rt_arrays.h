@@ -40,7 +40,7 @@ RTAPI void RTAPIENTRY rtEnableClientState(RTenum cap);
 RTAPI void RTAPIENTRY rtDisableClientState(RTenum cap);
 RTAPI void RTAPIENTRY rtInterleavedArrays(RTenum format, RTsizei stride, const void *pointer);
 
-/* There is one texture unit, RT_TEXTURE0.
+/* The unit, RT_TEXTURE0 to RT_TEXTURE3, that calls about the array of texture coordinates mean.
  * Errors:  RT_INVALID_ENUM  another unit
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClientActiveTexture(RTenum texture);

@@ -99,8 +99,9 @@ RTAPI void RTAPIENTRY rtSecondaryColor3usv(const RTushort *v);
 RTAPI void RTAPIENTRY rtEdgeFlag(RTboolean flag);
 RTAPI void RTAPIENTRY rtEdgeFlagv(const RTboolean *flag);
 
-/* There is one texture unit, RT_TEXTURE0; any other is RT_INVALID_ENUM. The rtMultiTexCoord calls
- * do for it what the rtTexCoord calls do.
+/* The texture units are RT_TEXTURE0 to RT_TEXTURE3; any other is RT_INVALID_ENUM. Calls about bound
+ * textures, environments, generated coordinates and texture matrices mean the active unit; the
+ * rtTexCoord calls mean RT_TEXTURE0. Shader classes see the coordinates of RT_TEXTURE0.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtActiveTexture(RTenum texture);
 RTAPI void RTAPIENTRY rtMultiTexCoord1d(RTenum target, RTdouble s);

@@ -17,6 +17,7 @@ namespace smart {
 struct Model;
 struct FixedMaterials;
 struct FixedState;
+struct MoreTexCoords;
 
 /// Reshading: which shader stands in for which, by shader index. Immutable and shared.
 struct ShaderReplacement {
@@ -44,8 +45,10 @@ struct InheritedAttributes {
     std::shared_ptr<const FixedMaterials> materials; ///< nullptr: OpenGL's initial ones
     glm::vec3 secondaryColor{0.0f};
     float fogCoordinate = 0.0f;
+    std::shared_ptr<const MoreTexCoords> moreTexCoords; ///< nullptr: OpenGL's initial ones
     bool ownColor = true, ownNormal = true, ownTexCoord = true, ownMaterials = true;
     bool ownSecondaryColor = true, ownFogCoordinate = true;
+    uint8_t ownMoreTexCoords = 0xFF; ///< a bit for each unit
 };
 
 /// What an instance has beside its matrix and its object's id. Instances with the same share it.

@@ -47,7 +47,8 @@ bool InstanceTraits::sameAs(const InstanceTraits& other) const {
            a.ownColor == b.ownColor && a.ownNormal == b.ownNormal &&
            a.ownTexCoord == b.ownTexCoord && a.ownMaterials == b.ownMaterials &&
            a.ownSecondaryColor == b.ownSecondaryColor &&
-           a.ownFogCoordinate == b.ownFogCoordinate;
+           a.ownFogCoordinate == b.ownFogCoordinate && a.moreTexCoords == b.moreTexCoords &&
+           a.ownMoreTexCoords == b.ownMoreTexCoords;
 }
 
 std::size_t InstanceTraits::hash() const {

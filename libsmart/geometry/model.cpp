@@ -23,8 +23,10 @@ void shrinkAll(Vectors&... vectors) {
 } // namespace
 
 std::size_t ShadingData::bytes() const {
-    return corners.bytes() + heldBytes(normals) + heldBytes(texCoords) + heldBytes(colors) +
-           heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
+    std::size_t ofUnits = heldBytes(moreTexCoords);
+    for (const UnitTexCoords& unit : moreTexCoords) ofUnits += heldBytes(unit.values);
+    return ofUnits + corners.bytes() + heldBytes(normals) + heldBytes(texCoords) +
+           heldBytes(colors) + heldBytes(slots) + heldBytes(shaders) + heldBytes(triangleBlocks) +
            heldBytes(triangleData) + heldBytes(vertexBlocks) + heldBytes(vertexData) +
            heldBytes(secondaryColors) + heldBytes(fogCoordinates) + heldBytes(vertexMaterials) +
            heldBytes(materials) + heldBytes(provoking) + heldBytes(boundary) + heldBytes(keepAlive);
@@ -34,6 +36,7 @@ void ShadingData::shrink() {
     shrinkAll(corners, normals, texCoords, colors, secondaryColors, fogCoordinates, vertexMaterials,
               materials, provoking, boundary, slots, shaders, triangleBlocks, triangleData,
               vertexBlocks, vertexData, keepAlive);
+    for (UnitTexCoords& unit : moreTexCoords) unit.values.shrink_to_fit();
 }
 
 void TreeSizes::add(const KdTree& tree) {

@@ -17,6 +17,7 @@
 #include "libsmart/geometry/instance_group.h"
 #include "libsmart/geometry/model_build_options.h"
 #include "libsmart/geometry/pixel_geometry.h"
+#include "libsmart/geometry/texture_units.h"
 #include "libsmart/geometry/triangle_corners.h"
 #include "libsmart/kernel/view.h"
 
@@ -33,6 +34,7 @@ struct ShadingData {
     uint32_t firstMaterial = kNone, firstSecondaryColor = kNone, firstFogCoordinate = kNone;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> texCoords;
+    std::vector<UnitTexCoords> moreTexCoords; ///< of each unit after the first; empty: none has any
     std::vector<glm::vec4> colors;
     std::vector<glm::vec3> secondaryColors;
     std::vector<float> fogCoordinates;

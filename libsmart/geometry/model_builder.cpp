@@ -31,6 +31,10 @@ namespace {
            reaches(shading.firstNormal, shading.normals.size()) &&
            reaches(shading.firstTexCoord, shading.texCoords.size()) &&
            reaches(shading.firstColor, shading.colors.size()) &&
+           std::all_of(shading.moreTexCoords.begin(), shading.moreTexCoords.end(),
+                       [&](const UnitTexCoords& unit) {
+                           return reaches(unit.first, unit.values.size());
+                       }) &&
            std::all_of(shading.slots.begin(), shading.slots.end(), slotExists);
 }
 

@@ -17,6 +17,14 @@ glm::dvec2 sizeOf(const FixedTexture& texture) {
     return {double(first.width()), texture.enabled2D ? double(first.height()) : 0.0};
 }
 
+bool asksForTexels(const FixedState& state) {
+    const auto asks = [](const FixedTexture& texture) {
+        return texture.image && texture.image->asksForFootprint();
+    };
+    return asks(state.texture) ||
+           std::any_of(state.moreTextures.begin(), state.moreTextures.end(), asks);
+}
+
 } // namespace
 
 FixedFunctionShader::Known& FixedFunctionShader::find(const Hit& hit, const FixedViewer& viewer) {
@@ -38,10 +46,8 @@ glm::vec4 FixedFunctionShader::shadeAlone(const Ray& ray, const Hit& hit) {
     const bool back = hasSides(fixed) && showsBackOnScreen(known, ray.dir);
     const glm::dvec3 weights = cornerWeights(hit.u, hit.v);
     const LitVertex fragment = known.triangle.at(weights, back);
-    const Texture* const texture = fixed.texture.image.get();
-    const double texels = texture && texture->asksForFootprint()
-                              ? texelsToNeighbours(known, weights, back)
-                              : 0.0;
+    const Texels texels =
+        asksForTexels(fixed) ? texelsToNeighbours(known, weights, back) : Texels{};
     return fogged(fixed.fog, colorOf(fixed, fragment, texels), fragment.fogDistance);
 }
 
@@ -56,8 +62,8 @@ glm::vec4 FixedFunctionShader::shade(PointState& point, const Hit& hit) {
                    : (state.frontFace != 0) == fixed.raster.frontFaceClockwise;
     const glm::dvec3 weights = cornerWeights(hit.u, hit.v);
 
-    double texels = 0.0;
-    if (fixed.texture.image)
+    Texels texels{};
+    if (fixed.isTextured())
         texels = fromCamera ? texelsToNeighbours(*known, weights, back)
                             : texelsInCone(*known, state, back);
     LitVertex fragment = known->triangle.at(weights, back);
@@ -76,10 +82,9 @@ glm::vec4 FixedFunctionShader::shade(PointState& point, const Hit& hit) {
 }
 
 glm::vec4 FixedFunctionShader::colorOf(const FixedState& state, const LitVertex& fragment,
-                                       double texels) {
-    if (!state.texture.image) return surfaceColor(state, fragment, nullptr);
-    const glm::vec4 texel = fixedTexel(state.texture, fragment, texels);
-    return surfaceColor(state, fragment, &texel);
+                                       const Texels& texels) {
+    glm::vec4 memory[kTextureUnits];
+    return surfaceColor(state, fragment, fixedTexels(state, fragment, texels.data(), memory));
 }
 
 FixedViewer FixedFunctionShader::viewerOf(const RTSstate& state) const {
@@ -122,58 +127,89 @@ bool FixedFunctionShader::showsBackOnScreen(Known& known,
     return facesRay == clockwiseIsFront;
 }
 
-double FixedFunctionShader::texelsToNeighbours(Known& known, const glm::dvec3& weights,
-                                               bool back) const {
-    screenOf(known);
-    OnScreen& screen = known.screen;
-    const auto& c = screen.corners;
-    if (!known.hasTexture) { // the same on both sides
-        const LitVertex (&lit)[3] = known.triangle.corners(back);
-        screen.s = screen.t = screen.q = glm::dvec3(0.0);
-        for (int i = 0; i < 3; ++i) {
-            const glm::dvec3 weight = glm::cross(c[(i + 1) % 3], c[(i + 2) % 3]);
-            screen.s += double(lit[i].texCoord.x) * weight;
-            screen.t += double(lit[i].texCoord.y) * weight;
-            screen.q += double(lit[i].texCoord.w) * weight;
-        }
-        known.hasTexture = true;
-    }
+// The same on both sides.
+void FixedFunctionShader::findPlanes(Known& known, bool back) const {
+    const auto& c = screenOf(known).corners;
+    const LitVertex (&lit)[3] = known.triangle.corners(back);
+    const FixedState& state = known.triangle.state();
+    const glm::dvec3 weights[3] = {glm::cross(c[1], c[2]), glm::cross(c[2], c[0]),
+                                   glm::cross(c[0], c[1])};
+    known.moreTextures.resize(state.moreTextures.size());
+    for (int i = 0; i < 3; ++i)
+        forEachTexture(state, lit[i],
+                       [&](std::size_t unit, const FixedTexture&, const glm::vec4& at) {
+                           TexturePlanes& to =
+                               unit == 0 ? known.texture : known.moreTextures[unit - 1];
+                           if (i == 0) to.s = to.t = to.q = glm::dvec3(0.0);
+                           to.s += double(at.x) * weights[i];
+                           to.t += double(at.y) * weights[i];
+                           to.q += double(at.w) * weights[i];
+                       });
+    known.hasTexture = true;
+}
+
+FixedFunctionShader::Texels FixedFunctionShader::texelsToNeighbours(Known& known,
+                                                                    const glm::dvec3& weights,
+                                                                    bool back) const {
+    if (!known.hasTexture) findPlanes(known, back);
+    const auto& c = known.screen.corners;
     const glm::dvec3 here = weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
     const glm::dvec3 pixel(here.x / here.z, here.y / here.z, 1.0);
-    const glm::dvec2 size = sizeOf(known.triangle.state().texture);
-    const double q = glm::dot(screen.q, pixel);
-    const glm::dvec2 from(glm::dot(screen.s, pixel) / q, glm::dot(screen.t, pixel) / q);
+    const FixedState& state = known.triangle.state();
+    Texels texels{};
+    if (state.texture.image)
+        texels[0] = distanceInTexels(known.texture, pixel, sizeOf(state.texture));
+    for (std::size_t i = 0; i < state.moreTextures.size(); ++i)
+        if (state.moreTextures[i].image)
+            texels[i + 1] = distanceInTexels(known.moreTextures[i], pixel,
+                                             sizeOf(state.moreTextures[i]));
+    return texels;
+}
+
+double FixedFunctionShader::distanceInTexels(const TexturePlanes& planes,
+                                             const glm::dvec3& pixel,
+                                             const glm::dvec2& size) const {
+    const double q = glm::dot(planes.q, pixel);
+    const glm::dvec2 from(glm::dot(planes.s, pixel) / q, glm::dot(planes.t, pixel) / q);
     double squared = 0.0;
     for (int k = 0; k < 2; ++k) {
         glm::dvec3 next = pixel;
         next[k] += 1.0;
-        const double nextQ = glm::dot(screen.q, next);
+        const double nextQ = glm::dot(planes.q, next);
         if (!(nextQ * q > 0.0)) return HUGE_VAL; // beyond the horizon
         const glm::dvec2 step =
-            (glm::dvec2(glm::dot(screen.s, next), glm::dot(screen.t, next)) / nextQ - from) *
+            (glm::dvec2(glm::dot(planes.s, next), glm::dot(planes.t, next)) / nextQ - from) *
             size;
         squared = std::max(squared, glm::dot(step, step));
     }
     return std::sqrt(squared / std::max(frame_.samples, 1u));
 }
 
-double FixedFunctionShader::texelsInCone(Known& known, const RTSstate& state, bool back) {
+FixedFunctionShader::Texels FixedFunctionShader::texelsInCone(Known& known,
+                                                              const RTSstate& state, bool back) {
     FixedTriangle& triangle = known.triangle;
     const LitVertex (&lit)[3] = triangle.corners(back);
-    const glm::dvec2 size = sizeOf(triangle.state().texture);
-    glm::dvec2 at[3];
-    for (int i = 0; i < 3; ++i)
-        at[i] = glm::dvec2(lit[i].texCoord.x, lit[i].texCoord.y) / double(lit[i].texCoord.w) *
-                glm::dvec2(size.x, std::max(size.y, 1.0));
-    const glm::dvec2 a = at[1] - at[0], b = at[2] - at[0];
     const glm::dvec3 normal = glm::cross(triangle.position(1) - triangle.position(0),
                                          triangle.position(2) - triangle.position(0));
-    const double density =
-        std::sqrt(std::fabs(a.x * b.y - a.y * b.x) / std::sqrt(glm::dot(normal, normal)));
     const float* n = state.geometricNormal;
     const float* d = state.rayDirection;
-    return double(textureFootprint(state.footprint, float(density), {n[0], n[1], n[2]},
-                                   {d[0], d[1], d[2]}));
+    Texels texels{};
+    const auto measure = [&](std::size_t unit, const FixedTexture& texture, const glm::vec4&) {
+        const glm::dvec2 size = sizeOf(texture);
+        glm::dvec2 at[3];
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec4& c = unit == 0 ? lit[i].texCoord : lit[i].moreTexCoords[unit - 1];
+            at[i] = glm::dvec2(c.x, c.y) / double(c.w) *
+                    glm::dvec2(size.x, std::max(size.y, 1.0));
+        }
+        const glm::dvec2 a = at[1] - at[0], b = at[2] - at[0];
+        const double density =
+            std::sqrt(std::fabs(a.x * b.y - a.y * b.x) / std::sqrt(glm::dot(normal, normal)));
+        texels[unit] = double(textureFootprint(state.footprint, float(density),
+                                               {n[0], n[1], n[2]}, {d[0], d[1], d[2]}));
+    };
+    forEachTexture(triangle.state(), lit[0], measure);
+    return texels;
 }
 
 bool FixedFunctionShader::findVisibility(PointState& point, uint32_t lights,

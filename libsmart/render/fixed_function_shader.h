@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <glm/vec4.hpp>
 #include <optional>
+#include <vector>
 
 #include "libsmart/render/frame.h"
 #include "libsmart/render/thread_loan.h"
@@ -39,13 +41,21 @@ private:
     struct OnScreen {
         glm::dvec3 corners[3]; ///< x, y in pixels, each times w; w
         double doubleArea;     ///< its sign is the winding's: positive anticlockwise
-        glm::dvec3 s, t, q;    ///< texture coordinates, as linear functions of (x, y, 1)
+    };
+    /// Texture coordinates on the screen, as linear functions of (x, y, 1).
+    struct TexturePlanes {
+        glm::dvec3 s, t, q;
     };
     struct Known {
         FixedTriangle triangle;
         bool hasScreen = false, hasTexture = false;
         OnScreen screen;
+        TexturePlanes texture; ///< of the first unit
+        std::vector<TexturePlanes> moreTextures;
     };
+    /// How far the texture coordinates of the neighbouring pixels lie away, in texels, by unit;
+    /// where the level of detail does not matter, 0.
+    using Texels = std::array<double, kTextureUnits>;
 
     /// Valid up to the next one that is asked for.
     Known& find(const Hit& hit, const FixedViewer& viewer);
@@ -54,11 +64,14 @@ private:
     /// Whether a side matters to the state's colours.
     static bool hasSides(const FixedState& state);
     bool showsBackOnScreen(Known& known, const float (&rayDirection)[3]) const;
-    /// How far the texture coordinates of the neighbouring pixels lie away, in texels.
-    double texelsToNeighbours(Known& known, const glm::dvec3& weights, bool back) const;
+    void findPlanes(Known& known, bool back) const;
+    Texels texelsToNeighbours(Known& known, const glm::dvec3& weights, bool back) const;
+    double distanceInTexels(const TexturePlanes& planes, const glm::dvec3& pixel,
+                            const glm::dvec2& size) const;
     /// The same by the ray's cone.
-    static double texelsInCone(Known& known, const RTSstate& state, bool back);
-    static glm::vec4 colorOf(const FixedState& state, const LitVertex& fragment, double texels);
+    static Texels texelsInCone(Known& known, const RTSstate& state, bool back);
+    static glm::vec4 colorOf(const FixedState& state, const LitVertex& fragment,
+                             const Texels& texels);
     /// Shares of the lights that arrive at the point; false: all do.
     bool findVisibility(PointState& point, uint32_t lights,
                         glm::vec3 (&visibility)[kFixedLights]) const;

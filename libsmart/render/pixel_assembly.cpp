@@ -70,6 +70,13 @@ public:
                 ? shading.materials[shading.vertexMaterials[number - shading.firstMaterial]].get()
                 : attributes_.inheritedValue(&Inherited::ownMaterials, &Inherited::materials)
                       .get();
+        const std::vector<UnitTexCoords>& units = shading.moreTexCoords;
+        const FixedState* const state = chain_.instances[0]->traits->state.get();
+        for (std::size_t unit = 0; state && unit < state->moreTextures.size(); ++unit)
+            vertex.moreTexCoords[unit] =
+                !units.empty() && number >= units[unit].first
+                    ? units[unit].values[number - units[unit].first]
+                    : attributes_.inheritedTexCoord(unit);
         return vertex;
     }
 

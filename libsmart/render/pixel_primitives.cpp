@@ -2,6 +2,7 @@
 #include "libsmart/render/pixel_primitives.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "libsmart/base/fp_environment.h"
@@ -103,18 +104,28 @@ TileBins sortIntoTiles(const PixelItems& items, uint32_t width, uint32_t height)
     });
 }
 
-/// Distance in texels between the texture coordinates of neighbouring pixels of a line.
-double texelsOf(const PixelItems::Line& line, double length) {
-    if (!line.state || !line.state->texture.image || !(length > 0.0)) return 0.0;
-    const TextureImage& image = line.state->texture.image->levels().first();
-    const auto place = [&](const WindowVertex& vertex) {
-        const glm::vec4& c = vertex.lit.texCoord;
-        return glm::dvec2(double(c.x) / c.w * image.width(), double(c.y) / c.w * image.height());
+/// Distances in texels between the texture coordinates of neighbouring pixels, by texture unit.
+using Texels = std::array<double, kTextureUnits>;
+
+/// Those of a line.
+Texels texelsOf(const PixelItems::Line& line, double length) {
+    Texels texels{};
+    if (!line.state || !(length > 0.0)) return texels;
+    const auto measure = [&](std::size_t unit, const FixedTexture& texture, const glm::vec4& a) {
+        const TextureImage& image = texture.image->levels().first();
+        const LitVertex& end = line.to.lit;
+        const glm::vec4& b = unit == 0 ? end.texCoord : end.moreTexCoords[unit - 1];
+        const auto place = [&](const glm::vec4& c) {
+            return glm::dvec2(double(c.x) / c.w * image.width(),
+                              double(c.y) / c.w * image.height());
+        };
+        const glm::dvec2 difference = place(b) - place(a);
+        const double distance =
+            std::sqrt(difference.x * difference.x + difference.y * difference.y) / length;
+        texels[unit] = std::isfinite(distance) ? distance : 0.0;
     };
-    const glm::dvec2 difference = place(line.to) - place(line.from);
-    const double texels =
-        std::sqrt(difference.x * difference.x + difference.y * difference.y) / length;
-    return std::isfinite(texels) ? texels : 0.0;
+    forEachTexture(*line.state, line.from.lit, measure);
+    return texels;
 }
 
 /// Appends the fragments of one tile.
@@ -125,7 +136,7 @@ public:
 
     void add(const PixelItems::Point& point) {
         const FixedRaster& raster = rasterOf(point.state);
-        glm::vec4 color = colorOf(point.state, point.at.lit, 0.0);
+        glm::vec4 color = colorOf(point.state, point.at.lit, {});
         float size = point.size;
         if (samples_ > 1 && size < raster.pointFadeThreshold) { // equation 3.2
             const float share = size / raster.pointFadeThreshold;
@@ -154,7 +165,7 @@ public:
         const glm::dvec2 run = line.to.at - line.from.at;
         const double squared = run.x * run.x + run.y * run.y;
         if (!(squared > 0.0)) return;
-        const double texels = texelsOf(line, std::sqrt(squared));
+        const Texels texels = texelsOf(line, std::sqrt(squared));
         const auto put = [&](uint32_t x, uint32_t y, double coverage, uint64_t samples) {
             const glm::dvec2 offset = glm::dvec2(x + 0.5, y + 0.5) - line.from.at;
             const double share =
@@ -186,7 +197,7 @@ public:
         const WindowImage& image = *item.image;
         const ImagePixels& pixels = *image.pixels;
         LitVertex lit = image.lit;
-        const glm::vec4 one = pixels.bitmap ? colorOf(item.state, lit, 0.0) : glm::vec4(0.0f);
+        const glm::vec4 one = pixels.bitmap ? colorOf(item.state, lit, {}) : glm::vec4(0.0f);
         ImageCoverage(image).forEach(tile_, [&](uint32_t x, uint32_t y, uint32_t i, uint32_t j) {
             if (pixels.bitmap) {
                 if (pixels.bit(i, j)) emit(item, x, y, image.depth, one, 1.0, kAllSamples);
@@ -195,7 +206,7 @@ public:
             const glm::vec4 color = pixels.color(i, j) * image.scale + image.bias;
             for (int k = 0; k < 4; ++k)
                 lit.primary[k] = color[k] > 0.0f ? std::min(color[k], 1.0f) : 0.0f;
-            emit(item, x, y, image.depth, colorOf(item.state, lit, 0.0), 1.0, kAllSamples);
+            emit(item, x, y, image.depth, colorOf(item.state, lit, {}), 1.0, kAllSamples);
         });
     }
 
@@ -208,11 +219,10 @@ private:
         return (raster.linePattern >> bit & 1u) == 0;
     }
 
-    static glm::vec4 colorOf(const FixedState* state, const LitVertex& lit, double texels) {
+    static glm::vec4 colorOf(const FixedState* state, const LitVertex& lit, const Texels& texels) {
         if (!state) return lit.primary;
-        if (!state->texture.image) return fragmentColor(*state, lit, nullptr);
-        const glm::vec4 texel = fixedTexel(state->texture, lit, texels);
-        return fragmentColor(*state, lit, &texel);
+        glm::vec4 memory[kTextureUnits];
+        return fragmentColor(*state, lit, fixedTexels(*state, lit, texels.data(), memory));
     }
 
     template <class Shape>

@@ -46,6 +46,16 @@ public:
         while (level > 0 && !(chain_.instances[level]->traits->inherited.*own)) --level;
         return chain_.instances[level]->traits->inherited.*inherited;
     }
+    /// The same of a texture unit after the first.
+    glm::vec4 inheritedTexCoord(std::size_t unit) const {
+        const auto own = [&](uint32_t level) {
+            return chain_.instances[level]->traits->inherited.ownMoreTexCoords >> unit & 1u;
+        };
+        uint32_t level = chain_.levels - 1;
+        while (level > 0 && !own(level)) --level;
+        const auto& values = chain_.instances[level]->traits->inherited.moreTexCoords;
+        return values ? (*values)[unit] : MoreTexCoords()[unit];
+    }
 
 private:
     const HitChain& chain_;

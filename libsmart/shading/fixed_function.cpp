@@ -19,6 +19,10 @@ void forEachValue(LitVertex& vertex, Function&& function) {
         function(vertex.secondary[k], [k](const LitVertex& v) { return double(v.secondary[k]); });
     function(vertex.fogDistance, [](const LitVertex& v) { return double(v.fogDistance); });
     function(vertex.reflection, [](const LitVertex& v) { return double(v.reflection); });
+    for (uint32_t i = 0; i < vertex.moreUnits; ++i)
+        for (int k = 0; k < 4; ++k)
+            function(vertex.moreTexCoords[i][k],
+                     [i, k](const LitVertex& v) { return double(v.moreTexCoords[i][k]); });
 }
 
 /// Of the fog's colour what is left to the fragment's.
@@ -76,6 +80,7 @@ glm::vec3 factorOf(BlendFactor factor, const glm::vec4& source, const glm::vec4&
 
 LitVertex interpolated(const LitVertex& a, const LitVertex& b, double share) {
     LitVertex result;
+    result.moreUnits = a.moreUnits;
     forEachValue(result, [&](float& value, auto&& of) {
         value = float((1.0 - share) * of(a) + share * of(b));
     });
@@ -83,7 +88,7 @@ LitVertex interpolated(const LitVertex& a, const LitVertex& b, double share) {
     return result;
 }
 
-glm::vec4 fixedTexel(const FixedTexture& texture, const LitVertex& fragment, double texels) {
+glm::vec4 fixedTexel(const FixedTexture& texture, const glm::vec4& texCoord, double texels) {
     const Texture& image = *texture.image;
     const TextureImage& first = image.levels()[image.options().firstLevel];
     double footprint = texels / std::sqrt(double(first.width()) * double(first.height()));
@@ -93,10 +98,20 @@ glm::vec4 fixedTexel(const FixedTexture& texture, const LitVertex& fragment, dou
             std::clamp(texture.lodBias, -TextureOptions::kMaxBias, TextureOptions::kMaxBias);
         footprint *= math::detail::expOf(double(bias) * kLn2);
     }
-    const float q = fragment.texCoord.w;
-    const float s = q == 1.0f ? fragment.texCoord.x : fragment.texCoord.x / q;
-    const float t = q == 1.0f ? fragment.texCoord.y : fragment.texCoord.y / q;
+    const float q = texCoord.w;
+    const float s = q == 1.0f ? texCoord.x : texCoord.x / q;
+    const float t = q == 1.0f ? texCoord.y : texCoord.y / q;
     return image.sample(s, texture.enabled2D ? t : 0.5f, float(footprint));
+}
+
+const glm::vec4* fixedTexels(const FixedState& state, const LitVertex& fragment,
+                             const double* distances, glm::vec4 (&memory)[kTextureUnits]) {
+    if (!state.isTextured()) return nullptr;
+    forEachTexture(state, fragment,
+                   [&](std::size_t unit, const FixedTexture& texture, const glm::vec4& at) {
+                       memory[unit] = fixedTexel(texture, at, distances[unit]);
+                   });
+    return memory;
 }
 
 glm::vec4 fogged(const FixedFog& fog, const glm::vec4& color, float fogDistance) {
@@ -111,8 +126,8 @@ glm::vec4 fogged(const FixedFog& fog, const glm::vec4& color, float fogDistance)
 }
 
 glm::vec4 fragmentColor(const FixedState& state, const LitVertex& fragment,
-                        const glm::vec4* texel) {
-    return fogged(state.fog, surfaceColor(state, fragment, texel), fragment.fogDistance);
+                        const glm::vec4* texels) {
+    return fogged(state.fog, surfaceColor(state, fragment, texels), fragment.fogDistance);
 }
 
 FixedBlend blendOf(const FixedFragmentOps& ops, const glm::vec4& color) {

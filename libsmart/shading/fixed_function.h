@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "libsmart/geometry/texture_units.h"
 #include "libsmart/shading/fixed_state.h"
 #include "libsmart/shading/texture.h"
 
@@ -25,6 +26,7 @@ struct FixedVertex {
     const FixedMaterials* materials = nullptr; ///< nullptr: OpenGL's initial ones
     double normalScale = 1.0;                  ///< rescaleFactor() of the instance's matrices
     float fogCoordinate = 0.0f;
+    MoreTexCoords moreTexCoords;
 };
 
 /// What RT_RESCALE_NORMAL multiplies normals by that went through this model-view matrix; 1 for a
@@ -47,6 +49,8 @@ struct LitVertex {
     float fogDistance = 0.0f;
     float reflection = 0.0f;  ///< the material's
     uint32_t lightsIn = 0;    ///< bit i: light i adds something, were it visible
+    uint32_t moreUnits = 0;   ///< so many of what follows are interpolated
+    MoreTexCoords moreTexCoords;
 };
 
 /// `back`: the vertex of a polygon that shows its back, which matters with two-sided lighting.
@@ -54,22 +58,41 @@ struct LitVertex {
 LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool back,
                     const FixedViewer& viewer = {}, const glm::vec3* visibility = nullptr);
 
+/// Texture coordinates of a unit behind generation and texture matrix (section 2.10.4).
+glm::vec4 transformedTexCoord(const FixedState& state, const FixedTexture& texture,
+                              const FixedVertex& vertex, const glm::vec4& given);
+
 /// (1 - share) * a + share * b.
 LitVertex interpolated(const LitVertex& a, const LitVertex& b, double share);
 
-/// The texel of the state's texture at a fragment. `texels`: distance to the neighbouring pixels'
-/// texture coordinates, in texels of the first level, from which the level of detail comes.
-/// Precondition: the state has a texture.
-glm::vec4 fixedTexel(const FixedTexture& texture, const LitVertex& fragment, double texels);
+/// The texel of a unit's texture. `texels`: distance to the neighbouring pixels' texture
+/// coordinates, in texels of the first level, from which the level of detail comes.
+/// Precondition: the unit has a texture.
+glm::vec4 fixedTexel(const FixedTexture& texture, const glm::vec4& texCoord, double texels);
 
-/// Texture environment and colour sum. `texel`: nullptr where the state has no texture.
+/// Calls with the number, texture and texture coordinates of each unit that has a texture.
+template <class Coordinates, class Action>
+void forEachTexture(const FixedState& state, const Coordinates& from, Action&& action) {
+    if (state.texture.image) action(std::size_t(0), state.texture, from.texCoord);
+    for (std::size_t i = 0; i < state.moreTextures.size(); ++i)
+        if (state.moreTextures[i].image)
+            action(i + 1, state.moreTextures[i], from.moreTexCoords[i]);
+}
+
+/// The texels at a fragment, each in its unit's place of `memory`, with a distance to the
+/// neighbours for each; nullptr: no unit has a texture.
+const glm::vec4* fixedTexels(const FixedState& state, const LitVertex& fragment,
+                             const double* distances, glm::vec4 (&memory)[kTextureUnits]);
+
+/// Texture environment of all units, and colour sum. `texels`: by unit; nullptr where the state
+/// has no texture.
 glm::vec4 surfaceColor(const FixedState& state, const LitVertex& fragment,
-                       const glm::vec4* texel);
+                       const glm::vec4* texels);
 /// Fog on top of it.
 glm::vec4 fogged(const FixedFog& fog, const glm::vec4& color, float fogDistance);
 /// Both. Within 0..1.
 glm::vec4 fragmentColor(const FixedState& state, const LitVertex& fragment,
-                        const glm::vec4* texel);
+                        const glm::vec4* texels);
 
 /// What a fragment adds to, and leaves of, what is behind it: colour = own + through * behind.
 /// Alpha test and blending, as far as they do not need to know what is behind.

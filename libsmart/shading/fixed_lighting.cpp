@@ -118,8 +118,9 @@ void illuminate(const FixedLighting& lighting, const FixedVertex& vertex, const 
 
 /// OpenGL 1.5, section 2.10.4.
 glm::dvec4 generatedTexCoord(const FixedTexture& texture, const FixedVertex& vertex,
-                             const glm::dvec3& normal, const FixedViewer& viewer) {
-    glm::dvec4 result(vertex.texCoord);
+                             const glm::vec4& given, const glm::dvec3& normal,
+                             const FixedViewer& viewer) {
+    glm::dvec4 result(given);
     glm::dvec3 mirrored(0.0);
     for (const TexGen& generated : texture.generate)
         if (generated.enabled && (generated.mode == TexGenMode::SphereMap ||
@@ -157,7 +158,19 @@ glm::dvec4 generatedTexCoord(const FixedTexture& texture, const FixedVertex& ver
     return result;
 }
 
+glm::dvec3 normalOf(const FixedLighting& lighting, const FixedVertex& vertex) {
+    glm::dvec3 normal = vertex.normal;
+    if (lighting.rescaleNormal) normal *= vertex.normalScale;
+    return lighting.normalize ? unit(normal) : normal;
+}
+
 } // namespace
+
+glm::vec4 transformedTexCoord(const FixedState& state, const FixedTexture& texture,
+                              const FixedVertex& vertex, const glm::vec4& given) {
+    return glm::vec4(texture.matrix * generatedTexCoord(texture, vertex, given,
+                                                        normalOf(state.lighting, vertex), {}));
+}
 
 double rescaleFactor(const glm::dmat4x3& modelView) {
     // Row 2 of the inverse, by the cofactors of the matrix's columns.
@@ -172,9 +185,7 @@ LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool bac
     const FixedLighting& lighting = state.lighting;
     LitVertex result;
     result.texCoord = vertex.texCoord;
-    glm::dvec3 normal = vertex.normal;
-    if (lighting.rescaleNormal) normal *= vertex.normalScale;
-    if (lighting.normalize) normal = unit(normal);
+    const glm::dvec3 normal = normalOf(lighting, vertex);
     if (lighting.enabled) {
         const bool other = back && lighting.twoSided;
         illuminate(lighting, vertex, other ? -normal : normal, other, viewer, visibility, result);
@@ -186,9 +197,14 @@ LitVertex litVertex(const FixedState& state, const FixedVertex& vertex, bool bac
                 clamped(double((back ? vertex.materials->back : vertex.materials->front)
                                    .reflection));
     }
-    if (state.texture.image)
-        result.texCoord = glm::vec4(
-            state.texture.matrix * generatedTexCoord(state.texture, vertex, normal, viewer));
+    result.moreUnits = uint32_t(state.moreTextures.size());
+    forEachTexture(state, vertex,
+                   [&](std::size_t unit, const FixedTexture& texture, const glm::vec4& given) {
+                       glm::vec4& to =
+                           unit == 0 ? result.texCoord : result.moreTexCoords[unit - 1];
+                       to = glm::vec4(texture.matrix *
+                                      generatedTexCoord(texture, vertex, given, normal, viewer));
+                   });
     if (state.fog.enabled)
         result.fogDistance = state.fog.fromCoordinate ? vertex.fogCoordinate
                                                       : float(std::fabs(vertex.position.z));

@@ -5,8 +5,6 @@ namespace smart {
 
 FixedState::FixedState() {
     lighting.lights[0].diffuse = lighting.lights[0].specular = glm::vec4(1.0f);
-    texture.generate[0].objectPlane = texture.generate[0].eyePlane = {1.0f, 0.0f, 0.0f, 0.0f};
-    texture.generate[1].objectPlane = texture.generate[1].eyePlane = {0.0f, 1.0f, 0.0f, 0.0f};
 }
 
 bool FixedState::isOpaque() const {

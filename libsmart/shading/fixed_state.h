@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <vector>
 
 namespace smart {
 
@@ -100,7 +101,8 @@ enum class TexEnvMode : uint8_t { Modulate, Decal, Blend, Replace, Add, Combine 
 enum class CombineFunction : uint8_t {
     Replace, Modulate, Add, AddSigned, Interpolate, Subtract, Dot3Rgb, Dot3Rgba
 };
-enum class CombineSource : uint8_t { Texture, Constant, PrimaryColor, Previous };
+/// From Texture0 on, the texture of the unit with that number.
+enum class CombineSource : uint8_t { Texture, Constant, PrimaryColor, Previous, Texture0 };
 enum class CombineOperand : uint8_t { Color, OneMinusColor, Alpha, OneMinusAlpha };
 
 struct TexEnvCombine {
@@ -118,7 +120,7 @@ struct TexEnvCombine {
     bool operator==(const TexEnvCombine&) const = default;
 };
 
-/// The texture unit.
+/// A texture unit.
 struct FixedTexture {
     bool enabled1D = false, enabled2D = false; ///< 2D goes before 1D
     uint32_t texture1D = 0, texture2D = 0;     ///< what is bound
@@ -128,7 +130,10 @@ struct FixedTexture {
     glm::vec4 color{0.0f};
     float lodBias = 0.0f;
     TexEnvCombine combine;
-    TexGen generate[4]; ///< s, t, r, q
+    TexGen generate[4]{{false, TexGenMode::EyeLinear, {1, 0, 0, 0}, {1, 0, 0, 0}},
+                       {false, TexGenMode::EyeLinear, {0, 1, 0, 0}, {0, 1, 0, 0}},
+                       {},
+                       {}}; ///< s, t, r, q
     glm::dmat4 matrix{1.0};
 
     bool operator==(const FixedTexture&) const = default;
@@ -197,12 +202,15 @@ struct FixedState {
     FixedLighting lighting;
     FixedFog fog;
     FixedTexture texture;
+    /// The units after the first, up to the last one with a texture.
+    std::vector<FixedTexture> moreTextures;
     FixedFragmentOps ops;
     FixedRaster raster;
 
     FixedState();
     bool operator==(const FixedState&) const = default;
 
+    bool isTextured() const { return texture.image || !moreTextures.empty(); }
     /// Whether the nearest hit decides a pixel: depth test on with RT_LESS or RT_LEQUAL, nothing
     /// blended, masked, offset, tested by alpha or combined by a logical operation.
     bool isOpaque() const;

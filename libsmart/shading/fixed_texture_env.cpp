@@ -51,15 +51,31 @@ glm::vec4 combined(TexEnvMode mode, TexelFormat format, const glm::vec4& fragmen
     return {hasColor(format) ? color : cf, alpha};
 }
 
-const glm::vec4& sourceOf(CombineSource source, const glm::vec4& fragment, const glm::vec4& texel,
-                          const glm::vec4& constant) {
-    switch (source) {
-    case CombineSource::Texture: return texel;
-    case CombineSource::Constant: return constant;
-    case CombineSource::PrimaryColor:
-    case CombineSource::Previous: break; // there is one texture unit
+/// What the units' environments work on.
+struct EnvInput {
+    const FixedState& state;
+    const glm::vec4& primary;
+    const glm::vec4* texels; ///< by unit
+
+    bool hasTexture(std::size_t unit) const {
+        if (unit == 0) return state.texture.image != nullptr;
+        return unit <= state.moreTextures.size() && state.moreTextures[unit - 1].image;
     }
-    return fragment;
+};
+
+/// `previous`: what the unit before has left. The texture of a unit without one, which OpenGL
+/// leaves undefined, is black.
+glm::vec4 sourceOf(CombineSource source, const EnvInput& input, std::size_t unit,
+                   const glm::vec4& previous, const glm::vec4& constant) {
+    switch (source) {
+    case CombineSource::Texture: return input.texels[unit];
+    case CombineSource::Constant: return constant;
+    case CombineSource::PrimaryColor: return input.primary;
+    case CombineSource::Previous: return previous;
+    case CombineSource::Texture0: break;
+    }
+    const std::size_t other = std::size_t(source) - std::size_t(CombineSource::Texture0);
+    return input.hasTexture(other) ? input.texels[other] : glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
 }
 
 template <class Value>
@@ -84,19 +100,19 @@ float dot3(const glm::vec3& a, const glm::vec3& b) {
 }
 
 /// Tables 3.23 to 3.25.
-glm::vec4 combined(const TexEnvCombine& how, const glm::vec4& fragment, const glm::vec4& texel,
-                   const glm::vec4& constant) {
+glm::vec4 combined(const TexEnvCombine& how, const EnvInput& input, std::size_t unit,
+                   const glm::vec4& previous, const glm::vec4& constant) {
     glm::vec3 colors[3];
     float alphas[3];
     for (int i = 0; i < 3; ++i) {
-        const glm::vec4& source = sourceOf(how.rgbSource[i], fragment, texel, constant);
+        const glm::vec4 source = sourceOf(how.rgbSource[i], input, unit, previous, constant);
         switch (how.rgbOperand[i]) {
         case CombineOperand::Color: colors[i] = glm::vec3(source); break;
         case CombineOperand::OneMinusColor: colors[i] = 1.0f - glm::vec3(source); break;
         case CombineOperand::Alpha: colors[i] = glm::vec3(source.a); break;
         case CombineOperand::OneMinusAlpha: colors[i] = glm::vec3(1.0f - source.a); break;
         }
-        const float alpha = sourceOf(how.alphaSource[i], fragment, texel, constant).a;
+        const float alpha = sourceOf(how.alphaSource[i], input, unit, previous, constant).a;
         alphas[i] = how.alphaOperand[i] == CombineOperand::OneMinusAlpha ? 1.0f - alpha : alpha;
     }
     const bool dotted =
@@ -111,15 +127,19 @@ glm::vec4 combined(const TexEnvCombine& how, const glm::vec4& fragment, const gl
 } // namespace
 
 glm::vec4 surfaceColor(const FixedState& state, const LitVertex& fragment,
-                       const glm::vec4* texel) {
+                       const glm::vec4* texels) {
     glm::vec4 color = fragment.primary;
-    if (texel) {
-        const FixedTexture& texture = state.texture;
-        const glm::vec4 constant = clamped(texture.color);
-        color = clamped(texture.mode == TexEnvMode::Combine
-                            ? combined(texture.combine, color, *texel, constant)
-                            : combined(texture.mode, texture.image->format(), color, *texel,
-                                       constant));
+    if (texels) {
+        const EnvInput input{state, fragment.primary, texels};
+        forEachTexture(state, fragment,
+                       [&](std::size_t unit, const FixedTexture& texture, const glm::vec4&) {
+                           const glm::vec4 constant = clamped(texture.color);
+                           color = clamped(
+                               texture.mode == TexEnvMode::Combine
+                                   ? combined(texture.combine, input, unit, color, constant)
+                                   : combined(texture.mode, texture.image->format(), color,
+                                              texels[unit], constant));
+                       });
     }
     if (!state.lighting.hasSecondary()) return color;
     return clamped(color + glm::vec4(fragment.secondary, 0.0f));

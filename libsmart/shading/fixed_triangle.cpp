@@ -91,10 +91,21 @@ public:
             vertex.fogCoordinate = attribute(shading.fogCoordinates, shading.firstFogCoordinate,
                                              &Inherited::ownFogCoordinate,
                                              &Inherited::fogCoordinate);
+        for (std::size_t unit = 0; unit < state_.moreTextures.size(); ++unit)
+            vertex.moreTexCoords[unit] = texCoordOf(unit, triangle, corner);
         return vertex;
     }
 
 private:
+    glm::vec4 texCoordOf(std::size_t unit, uint32_t triangle, int corner) const {
+        const std::vector<UnitTexCoords>& units = chain_.model->shading.moreTexCoords;
+        if (!units.empty())
+            if (const glm::vec4* const own = attributes_.find(units[unit].values,
+                                                              units[unit].first, triangle, corner))
+                return *own;
+        return attributes_.inheritedTexCoord(unit);
+    }
+
     const HitChain& chain_;
     const FixedState& state_;
     const CornerAttributes attributes_;
@@ -179,6 +190,10 @@ LitVertex FixedTriangle::interpolated(const LitVertex (&corners)[3],
     if (state_->texture.image) result.texCoord = mix(a.texCoord, b.texCoord, c.texCoord, weights);
     if (state_->fog.enabled)
         result.fogDistance = mix(a.fogDistance, b.fogDistance, c.fogDistance, weights);
+    result.moreUnits = a.moreUnits;
+    for (uint32_t i = 0; i < a.moreUnits; ++i)
+        result.moreTexCoords[i] =
+            mix(a.moreTexCoords[i], b.moreTexCoords[i], c.moreTexCoords[i], weights);
     if (state_->lighting.reflections)
         result.reflection = mix(a.reflection, b.reflection, c.reflection, weights);
     result.lightsIn = a.lightsIn | b.lightsIn | c.lightsIn;

@@ -8,7 +8,7 @@
 namespace smart::compat {
 namespace {
 
-/// One character a call: b, B begin filled and other primitives, e end, v vertex, n, c, t the
+/// One character a call: b, B begin filled and other primitives, e end, v vertex, n, c, t, u the
 /// attributes, m an attribute call, x any other call. Of the segments: runs in brackets.
 std::string segmentsOf(const std::string& calls) {
     CallStream stream;
@@ -20,7 +20,8 @@ std::string segmentsOf(const std::string& calls) {
         case 'v': stream.vertex({1, 2, 3, 1}); break;
         case 'n': stream.normal({0, 0, 1}); break;
         case 'c': stream.color({1, 1, 1, 1}); break;
-        case 't': stream.texCoord({0, 0, 0, 1}); break;
+        case 't': stream.texCoord({0, 0, 0, 1}, 0); break;
+        case 'u': stream.texCoord({0.5f, 0.25f, 0, 1}, 2); break;
         case 'm': stream.call(ListOp::Attribute, {}); break;
         default: stream.call(ListOp::Call, {}); break;
         }
@@ -39,6 +40,7 @@ TEST(DisplayList, RunsAreLongest) {
     EXPECT_EQ(segmentsOf("cbvvvecnbnvvvec"), "[cbvvvecnbnvvvec]");
     EXPECT_EQ(segmentsOf("xbvvvexcbvvve"), "x[bvvve]x[cbvvve]");
     EXPECT_EQ(segmentsOf("mbmvvve"), "[mbmvvve]");
+    EXPECT_EQ(segmentsOf("ubtvuvvex"), "[ubtvuvve]x");
     EXPECT_EQ(segmentsOf(""), "");
 }
 
@@ -70,6 +72,8 @@ TEST(DisplayList, WhatARunLeaves) {
     stream.vertex({0, 0, 0, 1});
     stream.color({0, 1, 0, 1});
     stream.normal({1, 0, 0});
+    stream.texCoord({1, 2, 0, 1}, 2);
+    stream.texCoord({3, 4, 0, 1}, 2);
     material(9);
     material(8);
     stream.call(ListOp::End, {});
@@ -78,7 +82,9 @@ TEST(DisplayList, WhatARunLeaves) {
     const ListSegment& run = list.segments()[0];
     EXPECT_EQ(run.color, glm::vec4(0, 1, 0, 1));
     EXPECT_EQ(run.normal, glm::vec3(1, 0, 0));
-    EXPECT_EQ(run.texCoord, std::nullopt);
+    EXPECT_EQ(run.texCoords[0], std::nullopt);
+    EXPECT_EQ(run.texCoords[1], std::nullopt);
+    EXPECT_EQ(run.texCoords[2], glm::vec4(3, 4, 0, 1));
     std::string keys;
     for (const std::size_t call : run.attributeCalls)
         keys += std::to_string(list.calls().call(call).attribute);

@@ -81,8 +81,8 @@ TEST(FixedStateRecorder, ObjectPlanesOfLooseGeometryAreSeenFromTheEye) {
     s.mode = TexGenMode::ObjectLinear;
     s.objectPlane = {1, 2, 3, 4};
     FixedStateSources sources;
-    sources.image = std::make_shared<const Texture>(1, 1, 4, TexelType::Byte,
-                                                    std::vector<std::byte>(4), TextureOptions{});
+    sources.texture.image = std::make_shared<const Texture>(
+        1, 1, 4, TexelType::Byte, std::vector<std::byte>(4), TextureOptions{});
     sources.objectToEye[0] = {2, 0, 0, 0};
     sources.objectToEye[3] = {8, -4, 16, 1};
     const FixedStatePtr block = fixed.block(sources);
@@ -93,6 +93,40 @@ TEST(FixedStateRecorder, ObjectPlanesOfLooseGeometryAreSeenFromTheEye) {
                        sources.objectToEye * point),
               glm::dot(glm::dvec4(1, 2, 3, 4), point));
     EXPECT_EQ(fixed.state().texture.generate[0].objectPlane, glm::vec4(1, 2, 3, 4));
+}
+
+TEST(FixedStateRecorder, TextureUnitsStandInBlocksUpToTheLastOneWithATexture) {
+    const auto image = std::make_shared<const Texture>(
+        1, 1, 4, TexelType::Byte, std::vector<std::byte>(4), TextureOptions{});
+    FixedStateRecorder fixed;
+    fixed.selectUnit(2);
+    EXPECT_EQ(fixed.texture(), FixedTexture());
+    EXPECT_TRUE(fixed.state().moreTextures.empty()) << "asking makes nothing";
+    fixed.changeTexture().mode = TexEnvMode::Add;
+    EXPECT_EQ(fixed.texture().mode, TexEnvMode::Add);
+    EXPECT_EQ(fixed.state().texture.mode, TexEnvMode::Modulate);
+    EXPECT_EQ(fixed.block({}), nullptr) << "no unit has a texture";
+
+    FixedStateSources sources;
+    sources.moreTextures.resize(2);
+    sources.moreTextures[1].image = image;
+    sources.moreTextures[1].matrix[3] = {1, 2, 3, 1};
+    const FixedStatePtr block = fixed.block(sources);
+    ASSERT_NE(block, nullptr);
+    EXPECT_EQ(block->texture, FixedTexture());
+    ASSERT_EQ(block->moreTextures.size(), 2u);
+    EXPECT_EQ(block->moreTextures[0], FixedTexture());
+    EXPECT_EQ(block->moreTextures[1].image, image);
+    EXPECT_EQ(block->moreTextures[1].mode, TexEnvMode::Add);
+    EXPECT_EQ(block->moreTextures[1].matrix, sources.moreTextures[1].matrix);
+    EXPECT_EQ(fixed.block(sources), block);
+
+    sources.moreTextures[1].matrix[3].x = 2;
+    const FixedStatePtr moved = fixed.block(sources);
+    EXPECT_NE(moved, block);
+    sources.moreTextures[1].matrix[3].x = 1;
+    EXPECT_EQ(fixed.block(sources), block) << "equal states are one block";
+    EXPECT_EQ(fixed.block({}), nullptr);
 }
 
 TEST(FixedStateRecorder, ColorMaterialReplacesItsPart) {

@@ -70,6 +70,7 @@ TEST_F(GeometryRecordingTest, StoresOnlyWhatIsGiven) {
     EXPECT_EQ(shading.firstNormal, kNone);
     EXPECT_EQ(shading.firstTexCoord, kNone);
     EXPECT_TRUE(shading.colors.empty() && shading.slots.empty());
+    EXPECT_TRUE(shading.moreTexCoords.empty());
     EXPECT_EQ(shading.vertices, 6u);
     EXPECT_EQ(shading.corners, (TriangleCorners{{0, 1, 2}, {3, 4, 5}}));
     EXPECT_TRUE(shading.vertexBlocks.empty() && shading.triangleBlocks.empty());
@@ -99,6 +100,27 @@ TEST_F(GeometryRecordingTest, LatchesAttributesFromTheFirstOneGiven) {
     EXPECT_EQ(shading.firstNormal, kNone);
     ASSERT_EQ(shading.corners.size(), 2u);
     EXPECT_EQ(shading.corners[1], (std::array<uint32_t, 3>{2, 1, 3}));
+}
+
+TEST_F(GeometryRecordingTest, TextureUnitsStoreTheirOwnCoordinates) {
+    recording_.begin(Primitive::Triangles);
+    vertex(0);
+    recording_.given.moreTexCoords = 1u << 1;
+    attributes_.moreTexCoords[1] = {1, 2, 0, 1};
+    attributes_.moreTexCoords[2] = {9, 9, 9, 9};
+    vertex(1);
+    attributes_.moreTexCoords[1] = {3, 4, 0, 1};
+    vertex(2);
+    GeometryRecording copy = recording_;
+    const ModelPtr model = recording_.compile({});
+    const std::vector<UnitTexCoords>& units = model->shading.moreTexCoords;
+    ASSERT_EQ(units.size(), kMoreUnits);
+    EXPECT_EQ(units[1].first, 1u);
+    EXPECT_EQ(units[1].values, (std::vector<glm::vec4>{{1, 2, 0, 1}, {3, 4, 0, 1}}));
+    EXPECT_TRUE(units[0].values.empty() && units[2].values.empty());
+    EXPECT_EQ(units[0].first, kNone);
+    EXPECT_TRUE(copy.givesAgain(*model));
+    EXPECT_GE(model->shading.bytes(), 2 * sizeof(glm::vec4) + sizeof(UnitTexCoords));
 }
 
 TEST_F(GeometryRecordingTest, SlotsNumberShadersByFirstUse) {

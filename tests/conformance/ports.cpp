@@ -40,16 +40,16 @@ const std::vector<Port>& ports() {
     static const std::vector<Port> list = {
         {"checker", Kind::kEqual},    {"clip", Kind::kEqual},
         {"fog", Kind::kEqual},        {"gears", Kind::kEqual},
-        {"isosurface", Kind::kEqual}, {"material_grid", Kind::kEqual},
-        {"mirror", Kind::kGeometry},  {"model", Kind::kEqual},
-        {"movelight", Kind::kEqual},  {"nested_lists", Kind::kEqual},
-        {"overlay", Kind::kEqual},    {"panes", Kind::kEqual},
-        {"planet", Kind::kEqual},     {"revolution", Kind::kEqual},
-        {"robot", Kind::kEqual},      {"scene", Kind::kEqual},
-        {"shadows", Kind::kGeometry}, {"spots", Kind::kEqual},
-        {"terrain", Kind::kEqual},    {"texbind", Kind::kEqual},
-        {"text", Kind::kEqual},       {"torus", Kind::kEqual},
-        {"varray", Kind::kEqual}};
+        {"isosurface", Kind::kEqual}, {"lightmap", Kind::kEqual},
+        {"material_grid", Kind::kEqual}, {"mirror", Kind::kGeometry},
+        {"model", Kind::kEqual},      {"movelight", Kind::kEqual},
+        {"nested_lists", Kind::kEqual}, {"overlay", Kind::kEqual},
+        {"panes", Kind::kEqual},      {"planet", Kind::kEqual},
+        {"revolution", Kind::kEqual}, {"robot", Kind::kEqual},
+        {"scene", Kind::kEqual},      {"shadows", Kind::kGeometry},
+        {"spots", Kind::kEqual},      {"terrain", Kind::kEqual},
+        {"texbind", Kind::kEqual},    {"text", Kind::kEqual},
+        {"torus", Kind::kEqual},      {"varray", Kind::kEqual}};
     return list;
 }
 

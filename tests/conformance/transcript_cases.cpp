@@ -8,8 +8,10 @@
 namespace conformance {
 namespace {
 
-constexpr const char* kPrograms[] = {"attributes", "errors",  "feedback", "fragments",
-                                     "primitives", "queries", "state",    "wrong_calls"};
+constexpr const char* kPrograms[] = {"attributes",   "errors",     "feedback",
+                                     "fragments",    "multitexture", "primitives",
+                                     "queries",      "state",      "texture_units",
+                                     "wrong_calls"};
 
 struct Answers {
     Transcript openGl, openRt;

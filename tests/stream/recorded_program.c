@@ -77,6 +77,38 @@ static void arrays(void)
     free(positions);
 }
 
+/* Two texture units; while arrays are drawn another one is the client's. */
+static void units(RTuint name)
+{
+    static const RTfloat positions[][3] = {{0, -2, -1}, {2, -2, -1}, {0, 0, -1}, {2, 0, -1}};
+    static const RTshort places[][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+    static const RTfloat others[][4] = {{0, 1, 0, 1}, {2, 3, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 2}};
+    rtActiveTexture(RT_TEXTURE2);
+    rtBindTexture(RT_TEXTURE_2D, name);
+    rtEnable(RT_TEXTURE_2D);
+    rtEnableClientState(RT_VERTEX_ARRAY);
+    rtVertexPointer(3, RT_FLOAT, 0, positions);
+    rtEnableClientState(RT_TEXTURE_COORD_ARRAY);
+    rtTexCoordPointer(2, RT_SHORT, 0, places);
+    rtClientActiveTexture(RT_TEXTURE2);
+    rtEnableClientState(RT_TEXTURE_COORD_ARRAY);
+    rtTexCoordPointer(4, RT_FLOAT, 0, others);
+    rtClientActiveTexture(RT_TEXTURE1);
+    rtDrawArrays(RT_TRIANGLE_STRIP, 0, 4);
+    rtBegin(RT_TRIANGLES);
+    for (int i = 3; i > 0; --i) rtArrayElement(i);
+    rtEnd();
+    rtTexCoordPointer(2, RT_SHORT, 0, NULL);
+    for (RTenum unit = RT_TEXTURE2; unit >= RT_TEXTURE0; unit -= 2) {
+        rtClientActiveTexture(unit);
+        rtDisableClientState(RT_TEXTURE_COORD_ARRAY);
+    }
+    rtDisableClientState(RT_VERTEX_ARRAY);
+    rtMultiTexCoord2f(RT_TEXTURE2, 0, 0);
+    rtDisable(RT_TEXTURE_2D);
+    rtActiveTexture(RT_TEXTURE0);
+}
+
 static void texture(void)
 {
     RTubyte image[3][8];
@@ -103,6 +135,7 @@ static void texture(void)
     rtTexCoord2f(0, 1);
     rtVertex3f(-2, 2, -1);
     rtEnd();
+    units(names[1]);
     rtDisable(RT_TEXTURE_2D);
     rtDeleteTextures(1, names);
 }

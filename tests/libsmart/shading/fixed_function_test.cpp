@@ -288,6 +288,58 @@ TEST(FixedTextureEnvironment, IsOpenGLs) {
         EXPECT_GT(texEnvError(fault, 36 * 10), 100 * kTolerance) << int(fault);
 }
 
+/// Units one after the other, each on what the one before left; a combiner may look at the
+/// textures of others.
+double unitsError(bool wrongOrder) {
+    Dice dice(11);
+    double worst = 0;
+    for (int i = 0; i < 2000; ++i) {
+        FixedState state;
+        state.moreTextures.resize(kMoreUnits);
+        glm::vec4 texels[kTextureUnits];
+        const auto unitOf = [&](std::size_t unit) -> FixedTexture& {
+            return unit == 0 ? state.texture : state.moreTextures[unit - 1];
+        };
+        for (std::size_t unit = 0; unit < kTextureUnits; ++unit) {
+            texels[unit] = texelOf(TexelFormat::Rgba, dice.color());
+            if (dice.coin()) unitOf(unit).image = texture(TexelFormat::Rgba);
+            unitOf(unit).mode = dice.any<TexEnvMode>(6);
+            unitOf(unit).color = dice.color();
+            unitOf(unit).combine.rgb = dice.any<CombineFunction>(8);
+            for (CombineSource& source : unitOf(unit).combine.rgbSource)
+                source = dice.any<CombineSource>(8);
+        }
+        LitVertex fragment;
+        fragment.primary = dice.color();
+        const Vec4 primary = four(fragment.primary);
+        Vec4 truth = primary;
+        for (std::size_t k = 0; k < kTextureUnits; ++k) {
+            const std::size_t unit = wrongOrder ? kMoreUnits - k : k;
+            const FixedTexture& texture = unitOf(unit);
+            if (!texture.image) continue;
+            const Vec4 texel = four(texels[unit]), constant = four(texture.color), before = truth;
+            const auto source = [&](CombineSource from) {
+                if (from == CombineSource::Texture) return texel;
+                if (from == CombineSource::Constant) return constant;
+                if (from == CombineSource::PrimaryColor) return primary;
+                if (from == CombineSource::Previous) return before;
+                const std::size_t other = std::size_t(from) - std::size_t(CombineSource::Texture0);
+                return unitOf(other).image ? four(texels[other]) : Vec4{0, 0, 0, 1};
+            };
+            truth = texture.mode == TexEnvMode::Combine
+                        ? referenceCombine(texture.combine, source)
+                        : referenceTexEnv(texture.mode, TexelFormat::Rgba, before, texel, constant);
+        }
+        worst = std::max(worst, distanceOf(surfaceColor(state, fragment, texels), truth, 4));
+    }
+    return worst;
+}
+
+TEST(FixedTextureEnvironment, UnitsFollowEachOther) {
+    EXPECT_LE(unitsError(false), kTolerance);
+    EXPECT_GT(unitsError(true), 100 * kTolerance);
+}
+
 double fogError(Fault fault) {
     Dice dice(5);
     double worst = 0;
@@ -377,17 +429,17 @@ TEST(FixedTexel, DividesByQAndTakesALevel) {
     LitVertex fragment;
     fragment.texCoord = {1.0f, 3.0f, 0.0f, 4.0f};
     for (const double detail : {0.0, 0.5, 1.0, 1.75, 2.0, 3.0})
-        EXPECT_NEAR(fixedTexel(how, fragment, std::exp2(detail)).r, 0.25 * detail, 1e-6);
+        EXPECT_NEAR(fixedTexel(how, fragment.texCoord, std::exp2(detail)).r, 0.25 * detail, 1e-6);
     how.lodBias = 1.0f;
-    EXPECT_NEAR(fixedTexel(how, fragment, 2.0).r, 0.5, 1e-6);
+    EXPECT_NEAR(fixedTexel(how, fragment.texCoord, 2.0).r, 0.5, 1e-6);
     // The division: a texture of two columns, looked up with the nearest texel.
     std::vector<std::byte> columns{std::byte{0}, std::byte{255}};
     TextureOptions nearest;
     nearest.magnification = TextureFilter::Nearest;
     how.image = std::make_shared<const Texture>(2, 1, 1, TexelType::Byte, columns, nearest);
-    EXPECT_EQ(fixedTexel(how, fragment, 0.0).r, 0.0f);
+    EXPECT_EQ(fixedTexel(how, fragment.texCoord, 0.0).r, 0.0f);
     fragment.texCoord.w = 1.5f;
-    EXPECT_EQ(fixedTexel(how, fragment, 0.0).r, 1.0f);
+    EXPECT_EQ(fixedTexel(how, fragment.texCoord, 0.0).r, 1.0f);
 }
 
 } // namespace

@@ -210,11 +210,8 @@ inline Vec4 referenceTexEnv(TexEnvMode mode, TexelFormat format, const Vec4& f, 
 }
 
 /// Tables 3.23 to 3.25.
-inline Vec4 referenceCombine(const TexEnvCombine& how, const Vec4& f, const Vec4& t, const Vec4& c,
-                             Fault fault = Fault::None) {
-    const auto source = [&](CombineSource s) {
-        return s == CombineSource::Texture ? t : s == CombineSource::Constant ? c : f;
-    };
+template <class Source>
+Vec4 referenceCombine(const TexEnvCombine& how, const Source& source, Fault fault = Fault::None) {
     double arguments[3][4];
     for (int i = 0; i < 3; ++i) {
         const int from = fault == Fault::ArgumentsSwapped && i < 2 ? 1 - i : i;
@@ -250,6 +247,14 @@ inline Vec4 referenceCombine(const TexEnvCombine& how, const Vec4& f, const Vec4
     const bool dotted = how.rgb == CombineFunction::Dot3Rgba;
     v[3] = clamp01(combine(dotted ? how.rgb : how.alpha, 3) * how.alphaScale);
     return v;
+}
+
+inline Vec4 referenceCombine(const TexEnvCombine& how, const Vec4& f, const Vec4& t, const Vec4& c,
+                             Fault fault = Fault::None) {
+    const auto source = [&](CombineSource s) {
+        return s == CombineSource::Texture ? t : s == CombineSource::Constant ? c : f;
+    };
+    return referenceCombine(how, source, fault);
 }
 
 /// Section 3.10.
