@@ -343,7 +343,10 @@ void RemoteWorkers::take(unsigned peer, const FrameReady& ready) {
     const auto last = lastFrame_.find(ready.frame.renderer);
     if (last != lastFrame_.end() && ready.frame.number <= last->second) return; // over
     if (early_.size() >= kMaxEarly) refuse("it is ready for too many frames that there are not");
-    early_[ready.frame].push_back({peer, ready.fingerprint});
+    std::vector<EarlyPeer>& early = early_[ready.frame];
+    if (std::any_of(early.begin(), early.end(), [&](const EarlyPeer& e) { return e.peer == peer; }))
+        refuse("it said twice that it is ready for a frame");
+    early.push_back({peer, ready.fingerprint});
 }
 
 void RemoteWorkers::take(unsigned peer, const TileAnswer& answer) {

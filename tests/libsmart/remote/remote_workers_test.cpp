@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <future>
 #include <list>
 #include <memory>
 #include <random>
@@ -230,6 +231,23 @@ TEST(RemoteWorkers, WhoCanNotGoOnSaysSo) {
     ASSERT_EQ(company.warnings().size(), 1u);
     EXPECT_EQ(company.warnings()[0], "process 1 renders no more: no such plug-in here");
     EXPECT_EQ(company.remote->working(), 0u);
+}
+
+// What it is ready for is kept until there is such a frame: but once.
+TEST(RemoteWorkers, WhoIsReadyAgainAndAgainIsLeftOut) {
+    const SocketPair pair;
+    SocketTransport here({pair.here}), there({pair.there});
+    std::promise<std::string> warning;
+    RemoteWorkers remote(here, Company::patient(),
+                         [&](const std::string& text) { warning.set_value(text); });
+    there.send(0, encode(Hello{"test", 1}));
+    there.send(0, encode(FrameReady{{1, 1}, 7}));
+    there.send(0, encode(FrameReady{{1, 2}, 7}));
+    ASSERT_TRUE(remote.waitForPeers(10s));
+    there.send(0, encode(FrameReady{{1, 2}, 7}));
+    EXPECT_EQ(warning.get_future().get(), "process 1 renders no more: it said twice that "
+                                          "it is ready for a frame");
+    EXPECT_EQ(remote.working(), 0u);
 }
 
 /// Renders frames while something happens to the first of two workers after a random time. How
