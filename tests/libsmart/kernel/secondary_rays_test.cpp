@@ -54,7 +54,7 @@ std::vector<Ray> raysOffSurface(const std::vector<Triangle>& mesh, double side, 
 void expectNoAcneAndNoLeak(const std::vector<Triangle>& mesh, const char* name) {
     SCOPED_TRACE(name);
     const Scene scene({place(makeModel(mesh))}, Precision::Watertight, 1);
-    const std::size_t count = rayCount(5000);
+    const std::size_t count = rayCount(2000);
     const auto outward = raysOffSurface(mesh, 1, count), inward = raysOffSurface(mesh, -1, count);
     for (const Precision precision : {Precision::Watertight, Precision::Precise}) {
         std::size_t shadowed = 0, escaped = 0;
