@@ -257,7 +257,7 @@ static const Drawing drawings[] = {{"immediate", immediate},
                                    {"bitmap", bitmap}};
 
 static void tellDrawing(const char* group, const Drawing* drawing) {
-    char name[96];
+    char name[128];
     snprintf(name, sizeof name, "%s/%s", group, drawing->name);
     beginCase(name);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -134,7 +134,7 @@ Packet ForgedTransport::fitting(unsigned peer, uint8_t type) {
                 if (choice & 1) tickets.pop_back(); // else it is answered again
             }
             const std::vector<std::byte> pixels(choice % 16 < 12 ? requestBytes_[peer] : choice);
-            return encode(TileAnswer{ticket, 1, 2, 3, 4, 5, pixels});
+            return encode(TileAnswer{ticket, 1, 2, 3, 4, 5, choice % 16 == 13, pixels});
         }
         case 3: return encode(Progress{uint64_t(choice) << choice % 64});
         case 4: return encode(Trouble{std::string(choice, '%')});

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "compat/mpi/lz4_codec.h"
 #include "libsmart/base/error.h"
 #include "libsmart/remote/frame_fingerprint.h"
 #include "libsmart/remote/remote_service.h"
@@ -27,6 +28,8 @@ using smart::test::FakeTracer;
 using smart::test::FrameCall;
 using smart::test::SharedRenderer;
 using smart::test::TestFrame;
+
+const compat::Lz4Codec kCodec;
 
 constexpr uint64_t kFrames = 3;
 
@@ -71,6 +74,7 @@ std::vector<uint64_t> fingerprints() {
 void master(Input& input) {
     ForgedTransport peers(input, 2, fingerprints());
     RemoteOptions options;
+    options.codec = &kCodec;
     options.identity = ForgedTransport::kIdentity;
     options.stallAfter = std::chrono::milliseconds(20);
     options.deafAfter = std::chrono::milliseconds(20);
@@ -110,7 +114,7 @@ bool serveCall(std::span<const std::byte> record, SharedRenderer& renderer,
 void worker(Input& input) {
     ForgedTransport masters(input, 1, fingerprints());
     std::list<TestFrame> frames;
-    RemoteService service(masters, ForgedTransport::kIdentity, 2);
+    RemoteService service(masters, ForgedTransport::kIdentity, 2, &kCodec);
     {
         const FakeTracer tracer;
         SharedRenderer renderer(service, 1, 2, tracer);
