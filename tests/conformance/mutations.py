@@ -69,7 +69,8 @@ NAMED = [
     Mutant("other_side_clipped", LAYER, "glm::dvec4(point, 1.0)) < 0.0)",
            "glm::dvec4(point, 1.0)) > 0.0)"),
     Mutant("flat_by_first_vertex", TRIANGLE,
-           "provoking.empty() ? ShadingData::kLastCorner : provoking[triangle]", "0"),
+           "provoking.empty() ? ShadingData::kLastCorner : provoking[triangle]",
+           "provoking.empty() ? 0 : 0"),
 ]
 
 # What gives the calls of OpenGL their meaning.

@@ -250,8 +250,9 @@ TEST(RemoteWorkers, WhoIsReadyAgainAndAgainIsLeftOut) {
     EXPECT_EQ(remote.working(), 0u);
 }
 
-/// Renders frames while something happens to the first of two workers after a random time. How
-/// often it was noticed while there were frames: warnings, and tiles that others got.
+/// Renders frames while something happens to the first worker when this process has rendered a
+/// random number of tiles. How often it was noticed while there were frames: warnings, and tiles
+/// that others got.
 struct Noticed {
     std::size_t warnings = 0;
     uint64_t tiles = 0;
@@ -262,22 +263,25 @@ void disturb(const std::string& mode, int signal, int moments, Noticed& noticed)
         std::vector<WorkerProcess> all;
         all.emplace_back(mode, unsigned(moment));
         if (moment % 2 == 1) all.emplace_back("honest");
-        Company company(std::move(all), Company::quick(), 1, [](const Frame&, const Tile&) {
+        // Half of them only once the other has answered, however slow it is.
+        const bool isAwaited = signal != 0 && moment % 2 == 0;
+        const unsigned fatal = random() % 40;
+        unsigned rendered = 0;
+        Company company(std::move(all), Company::quick(), 1, [&](const Frame&, const Tile&) {
             std::this_thread::sleep_for(50us);
+            for (int i = 0; i < 10000 && isAwaited && company.remote->working() > 0 &&
+                            company.remote->traffic().tilesAnswered == 0; ++i)
+                std::this_thread::sleep_for(1ms);
+            if (rendered++ == fatal && signal != 0) company.processes[0].kill(signal);
         });
         const bool begun = moment % 10 == 0 || company.remote->waitForPeers(10s);
         ASSERT_TRUE(begun);
         std::list<TestFrame> frames;
-        std::jthread disturber([&, delay = random() % 15000] {
-            std::this_thread::sleep_for(std::chrono::microseconds(delay));
-            if (signal != 0) company.processes[0].kill(signal);
-        });
         std::vector<QueuedFramePtr> queued;
         for (uint64_t id = 1; id <= 3; ++id)
             queued.push_back(company.submit(frames.emplace_back(id, kWidth, kHeight)));
         for (const QueuedFramePtr& frame : queued) ASSERT_EQ(frame->wait(), FrameStatus::Done);
         for (const TestFrame& frame : frames) ASSERT_TRUE(isComplete(frame)) << moment;
-        disturber.join();
         ASSERT_LE(company.warnings().size(), company.processes.size() * 2); // late, and gone
         noticed.warnings += company.warnings().size();
         noticed.tiles += company.remote->traffic().tilesReturned;
