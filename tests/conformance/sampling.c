@@ -394,7 +394,7 @@ static void seenThrough(void) {
 }
 
 /* A mesh around the window whose corners and edges run through the centres of pixels, but for the
- * rounding of vertices, matrices and rays: each pixel is drawn once. */
+ * rounding of vertices, matrices and rays: no pixel is drawn twice. */
 static const GLdouble angles[] = {0.0, 0.5, 1.1, 2.3};
 static const GLdouble halfWidths[] = {3.65, 7.3, 11.9, 0.57};
 
@@ -441,7 +441,7 @@ static void roundedMeshes(void) {
         glDisable(GL_BLEND);
         readWindow();
         for (int y = 0; y < kWindow; ++y) {
-            for (int x = 0; x < kWindow; ++x) putchar('0' + (window[y][x][0] + 20) / 51);
+            for (int x = 0; x < kWindow; ++x) putchar(window[y][x][0] > 76 ? 'x' : '.');
             putchar('\n');
         }
     }
