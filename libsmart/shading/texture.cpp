@@ -82,14 +82,15 @@ double mixed(double a, double b, double weight) {
 }
 
 /// A border colour as texels with these channels are read.
-glm::vec4 borderTexel(const glm::vec4& color, const TextureImage& image) {
-    glm::vec4 border = color;
+glm::vec4 borderTexel(const TextureOptions& options, const TextureImage& image) {
+    glm::vec4 border = options.border;
     for (int k = 0; k < 4; ++k) {
         float& value = border[k];
         if (!std::isfinite(value)) value = 0;
         if (image.type() == TexelType::Byte || image.type() == TexelType::Short)
             value = std::clamp(value, 0.0f, 1.0f);
     }
+    if (options.format == TexelFormat::Intensity) return glm::vec4(border.x);
     if (image.channels() < 3) border.y = border.z = border.x;
     if (image.channels() % 2 != 0) border.w = 1;
     return border;
@@ -110,7 +111,7 @@ struct Texture::Place {
 
 Texture::Texture(std::shared_ptr<const TextureLevels> levels, const TextureOptions& options)
     : levels_(std::move(levels)), options_(options),
-      border_(borderTexel(options.border, levels_->first())) {
+      border_(borderTexel(options, levels_->first())) {
     TextureOptions& o = options_;
     if (o.format == TexelFormat::ByChannels) o.format = formatOf(levels_->first().channels());
     if (std::isnan(o.minLevel)) o.minLevel = TextureOptions().minLevel;

@@ -119,11 +119,18 @@ TEST(Projections, RefuseWhatOpenGlRefuses) {
     EXPECT_TRUE(refuses([] { makeOrtho(0, 1, 0, 1, 3, 3); }));
     EXPECT_TRUE(refuses([] { makePerspective(0, 1, 1, 2); }));
     EXPECT_TRUE(refuses([] { makePerspective(60, -1, 1, 2); }));
+    EXPECT_TRUE(refuses([] { makePerspective(60, 0, 1, 2); }));
+    EXPECT_TRUE(refuses([] { makePerspective(60, 1, 0, 2); }));
+    EXPECT_TRUE(refuses([] { makePerspective(60, 1, 1, 0); }));
+    EXPECT_TRUE(refuses([] { makePerspective(60, 1, 2, 2); }));
+    EXPECT_TRUE(refuses([] { makeFrustum(0, 1, 0, 1, 0, 2); }));
+    EXPECT_TRUE(refuses([] { makeFrustum(0, 1, 0, 1, 1, 0); }));
     EXPECT_TRUE(refuses([] { makeLookAt({0, 0, 0}, {0, 0, 0}, {0, 1, 0}); }));
     EXPECT_TRUE(refuses([] { makeLookAt({0, 0, 0}, {0, 2, 0}, {0, 1, 0}); }));
     EXPECT_TRUE(refuses([] { makeLookAt({0, 0, 0}, {kInf, 2, 0}, {0, 1, 0}); }));
     EXPECT_FALSE(refuses([] { makeOrtho(1, 0, 1, 0, 1, 0); })) << "reversed is legal";
     EXPECT_FALSE(refuses([] { makeFrustum(0, 1, 0, 1, 3, 2); }));
+    EXPECT_FALSE(refuses([] { makePerspective(60, 1, 3, 2); }));
 }
 
 TEST(LookAt, PutsTheEyeAtTheOriginAndTheCentreAhead) {

@@ -555,7 +555,7 @@ static void sharedEdges(void) {
         glReadPixels(0, 0, kWindow, kWindow, GL_RGB, GL_UNSIGNED_BYTE, pixels);
         for (int row = 5; row < 28; ++row) { /* the outer edges are open */
             for (int column = 5; column < 28; ++column)
-                putchar('0' + (pixels[row][column][0] + 20) / 51);
+                putchar('a' + (pixels[row][column][0] + 20) / 51);
             putchar('\n');
         }
     }

@@ -104,6 +104,22 @@ TEST(TextureTest, ClampingAndMirroringKeepTheBorder) {
     EXPECT_EQ(numbered(mirror).sample(1.0f, 0.0f).r, 2);
 }
 
+TEST(TextureTest, BordersHaveTheChannelsOfTheImage) {
+    const glm::vec4 border(0.25f, 0.5f, 0.75f, 0.125f);
+    const auto seen = [&](uint32_t channels, TexelFormat format) {
+        const std::vector<float> image(channels, 1.0f);
+        return Texture(1, 1, channels, TexelType::Float, texels(image),
+                       {.wrapS = TextureWrap::ClampToBorder, .border = border, .format = format})
+            .sample(5.0f, 0.5f);
+    };
+    const TexelFormat any = TexelFormat::ByChannels;
+    EXPECT_EQ(seen(1, any), glm::vec4(0.25f, 0.25f, 0.25f, 1.0f));
+    EXPECT_EQ(seen(2, any), glm::vec4(0.25f, 0.25f, 0.25f, 0.125f));
+    EXPECT_EQ(seen(3, any), glm::vec4(0.25f, 0.5f, 0.75f, 1.0f));
+    EXPECT_EQ(seen(4, any), border);
+    EXPECT_EQ(seen(4, TexelFormat::Intensity), glm::vec4(0.25f));
+}
+
 // The definition, texel by texel: sum over all copies of the image of texel times tent function.
 double tentSum(const std::vector<float>& image, int width, int height, double s, double t) {
     const double x = s * width, y = t * height;

@@ -1,0 +1,464 @@
+/* SPDX-License-Identifier: MIT */
+/* Which texel, level of a texture and share of a pixel a fragment gets: coordinates far beyond an
+ * image, borders, levels of detail on triangles and lines, smooth lines, and pixels that several
+ * primitives claim. */
+#define GL_GLEXT_PROTOTYPES
+#include "tests/conformance/questions.h"
+
+#include <math.h>
+
+enum { kSide = 32, kLevels = 6, kReach = 4 };
+
+static GLubyte window[kWindow][kWindow][3];
+
+static void readWindow(void) {
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, kWindow, kWindow, GL_RGB, GL_UNSIGNED_BYTE, window);
+}
+
+static void clearBoth(void) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+static void tellLevel(int level) {
+    if (kTellsAlternatives)
+        printf("%d|%d|%d ", level, level + 1, level - 1);
+    else
+        printf("%d ", level);
+}
+
+static void tellPixel(int x, int y) {
+    for (int k = 0; k < 3; ++k) tellLevel(window[y][x][k]);
+    printf("\n");
+}
+
+/* A rectangle with a texture's coordinates from (s0, t0) to (s1, t1). */
+static void rectangle(GLfloat s0, GLfloat t0, GLfloat s1, GLfloat t1) {
+    glBegin(GL_TRIANGLE_STRIP); /* how a quad is split would be open */
+    glTexCoord2f(s0, t0);
+    glVertex2f(0.0f, 0.0f);
+    glTexCoord2f(s1, t0);
+    glVertex2f(kWindow, 0.0f);
+    glTexCoord2f(s0, t1);
+    glVertex2f(0.0f, kWindow);
+    glTexCoord2f(s1, t1);
+    glVertex2f(kWindow, kWindow);
+    glEnd();
+}
+
+static void useImage(GLint format, int side, GLint wrap) {
+    static GLubyte image[64][4];
+    for (int i = 0; i < side * side; ++i)
+        for (int k = 0; k < 4; ++k)
+            image[i][k] = (GLubyte)(30 + (i * 53 + k * 71 + i * i * k) % 200);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    glTexImage2D(GL_TEXTURE_2D, 0, format, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, image);
+    glEnable(GL_TEXTURE_2D);
+}
+
+/* The middles of the texels of one period fall on pixels that are looked at. */
+static void mirrors(void) {
+    useImage(GL_RGB, 4, GL_MIRRORED_REPEAT);
+    for (int filter = 0; filter < 2; ++filter) {
+        const GLint value = filter ? GL_LINEAR : GL_NEAREST;
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, value);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value);
+        for (int period = -5; period < 7; ++period) {
+            char name[64];
+            const GLfloat s = (GLfloat)period, t = (GLfloat)(1 - period);
+            snprintf(name, sizeof name, "mirrored/%s/%d", filter ? "linear" : "nearest", period);
+            beginCase(name);
+            clearBoth();
+            /* By 1/64 of a period aside: pixel 8 i + 3 sees a texel's middle. */
+            rectangle(s + 1.0f / 64, t + 1.0f / 64, s + 65.0f / 64, t + 65.0f / 64);
+            readWindow();
+            for (int y = 3; y < kWindow; y += 8)
+                for (int x = 3; x < kWindow; x += 8) tellPixel(x, y);
+        }
+    }
+    beginCase("mirrored/all");
+    clearBoth();
+    useImage(GL_RGB, 2, GL_MIRRORED_REPEAT);
+    rectangle(-5.01f, -5.02f, 7.01f, 7.02f);
+    readWindow();
+    for (int y = 0; y < kWindow; y += 3)
+        for (int x = 0; x < kWindow; ++x) tellPixel(x, y);
+    glDisable(GL_TEXTURE_2D);
+}
+
+static void borders(void) {
+    static const struct {
+        const char* name;
+        GLint format;
+    } formats[] = {{"alpha", GL_ALPHA},
+                   {"luminance", GL_LUMINANCE},
+                   {"luminance_alpha", GL_LUMINANCE_ALPHA},
+                   {"intensity", GL_INTENSITY},
+                   {"rgb", GL_RGB},
+                   {"rgba", GL_RGBA}};
+    static const struct {
+        const char* name;
+        GLint mode;
+    } modes[] = {{"replace", GL_REPLACE}, {"modulate", GL_MODULATE}};
+    static const GLfloat border[4] = {0.2f, 0.7f, 0.45f, 0.6f};
+    glColor4f(0.9f, 0.8f, 0.5f, 0.7f);
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i)
+        for (size_t j = 0; j < sizeof modes / sizeof modes[0]; ++j)
+            for (int blend = 0; blend < 2; ++blend) {
+                char name[96];
+                snprintf(name, sizeof name, "border/%s/%s%s", formats[i].name, modes[j].name,
+                         blend ? "/blend" : "");
+                beginCase(name);
+                glClearColor(0.5f, 0.3f, 0.9f, 1.0f);
+                clearBoth();
+                useImage(formats[i].format, 4, GL_CLAMP_TO_BORDER);
+                glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, modes[j].mode);
+                if (blend) glEnable(GL_BLEND);
+                glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+                rectangle(-1.6f, -0.7f, 2.3f, 1.8f);
+                glDisable(GL_BLEND);
+                readWindow();
+                for (int y = 2; y < kWindow; y += 13)
+                    for (int x = 2; x < kWindow; x += 13) tellPixel(x, y);
+            }
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    glColor4f(1.0f, 1.0f, 1.0f, 1.0f);
+    glDisable(GL_TEXTURE_2D);
+}
+
+/* Each level has another colour: of a channel, so that two units can be told from each other. */
+static void useLevels(int unit) {
+    static GLubyte image[kSide * kSide][4];
+    glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    glBindTexture(GL_TEXTURE_2D, (GLuint)(5 + unit));
+    for (int level = 0; level < kLevels; ++level) {
+        for (int i = 0; i < kSide * kSide; ++i) image[i][unit] = (GLubyte)(40 * level + 30);
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGB, kSide >> level, kSide >> level, 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, image);
+    }
+    for (int i = 0; i < kSide * kSide; ++i) image[i][unit] = 0;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, unit == 0 ? GL_REPLACE : GL_ADD);
+    glEnable(GL_TEXTURE_2D);
+}
+
+static void dropLevels(void) {
+    for (int unit = 2; unit-- > 0;) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        glDisable(GL_TEXTURE_2D);
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+        glBindTexture(GL_TEXTURE_2D, 0);
+    }
+}
+
+/* How many texels s and t go on from pixel to pixel: with x, with y. */
+typedef struct {
+    GLfloat sx, tx, sy, ty;
+} Texels;
+
+static void vertexAt(const Texels* first, const Texels* second, GLfloat scale, GLfloat x,
+                     GLfloat y) {
+    glMultiTexCoord2f(GL_TEXTURE0, scale * (first->sx * x + first->sy * y) / kSide,
+                      scale * (first->tx * x + first->ty * y) / kSide);
+    glMultiTexCoord2f(GL_TEXTURE1, (second->sx * x + second->sy * y) / scale / kSide,
+                      (second->tx * x + second->ty * y) / scale / kSide);
+    glVertex2f(x, y);
+}
+
+/* In the middle of a level, as an implementation may take a simpler measure than the length. */
+static void levels(void) {
+    static const struct {
+        const char* name;
+        Texels texels;
+    } ways[] = {
+        {"along", {1.0f, 0.0f, 0.0f, 1.0f}},           {"turned", {0.9f, 0.5f, -0.5f, 0.9f}},
+        {"far_turned", {-0.4f, 0.95f, -0.95f, -0.4f}}, {"skewed", {1.0f, 0.2f, 0.3f, 0.3f}},
+        {"only_sx", {1.0f, 0.1f, 0.1f, 0.2f}},         {"only_tx", {0.1f, 1.0f, 0.2f, 0.1f}},
+        {"only_sy", {0.1f, 0.2f, 1.0f, 0.1f}},         {"only_ty", {0.2f, 0.1f, 0.1f, 1.0f}},
+        {"flipped", {0.3f, -1.0f, 0.9f, 0.3f}}};
+    enum { kWays = sizeof ways / sizeof ways[0] };
+    useLevels(0);
+    useLevels(1);
+    for (int way = 0; way < kWays; ++way)
+        for (int level = -1; level < kLevels; ++level) {
+            const Texels* const first = &ways[way].texels;
+            const Texels* const second = &ways[(way + 5) % kWays].texels;
+            const GLfloat scale = ldexpf(1.0f, level);
+            Texels more = *second; /* of which the other unit sees the smallest first */
+            char name[64];
+            more.sx *= 16.0f, more.tx *= 16.0f, more.sy *= 16.0f, more.ty *= 16.0f;
+            snprintf(name, sizeof name, "levels/%s/%d", ways[way].name, level);
+            beginCase(name);
+            clearBoth();
+            glBegin(GL_TRIANGLES);
+            vertexAt(first, &more, scale, 1.25f, 2.25f);
+            vertexAt(first, &more, scale, 30.75f, 4.25f);
+            vertexAt(first, &more, scale, 6.25f, 29.75f);
+            glEnd();
+            readWindow();
+            tellPixel(7, 7);
+            tellPixel(12, 14);
+            tellPixel(20, 8);
+        }
+    dropLevels();
+}
+
+/* A level that OpenGL's answers have at the pixel, or close by. */
+static void tellLevelsNear(int x, int y) {
+    for (int unit = 0; unit < 2; ++unit) {
+        unsigned seen = 0, told = 0;
+        for (int j = y - kReach; j <= y + kReach; ++j)
+            for (int i = x - kReach; i <= x + kReach; ++i)
+                if (i >= 0 && i < kWindow && j >= 0 && j < kWindow)
+                    seen |= 1u << (window[j][i][unit] + 10) / 40;
+        if (!kTellsAlternatives) seen = 1u << (window[y][x][unit] + 10) / 40;
+        for (unsigned level = 0; level < 8; ++level)
+            if (seen >> level & 1u) printf("%s%u", told++ != 0 ? "|" : "", level);
+        putchar(' ');
+    }
+}
+
+/* A floor, in a viewport that begins elsewhere. */
+static void perspective(void) {
+    static const GLint viewports[][4] = {
+        {0, 0, 32, 32}, {3, 9, 28, 22}, {-5, -40, 40, 90}, {7, 2, 20, 29}};
+    static const GLfloat scales[3] = {0.5f, 1.2f, 2.4f};
+    useLevels(0);
+    useLevels(1);
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glLoadIdentity();
+    glFrustum(-1.0, 1.0, -1.0, 1.0, 1.0, 50.0);
+    glMatrixMode(GL_MODELVIEW);
+    for (size_t i = 0; i < sizeof viewports / sizeof viewports[0]; ++i)
+        for (int k = 0; k < 5; ++k) { /* the third one, turned, changes too slowly */
+            const GLfloat scale = scales[k % 3];
+            char name[64];
+            snprintf(name, sizeof name, "perspective/%d/%d", (int)i, k);
+            beginCase(name);
+            clearBoth();
+            glViewport(viewports[i][0], viewports[i][1], viewports[i][2], viewports[i][3]);
+            glPushMatrix();
+            if (k >= 3) glRotatef(90.0f, 0.0f, 0.0f, 1.0f);
+            glBegin(GL_TRIANGLES);
+            glMultiTexCoord2f(GL_TEXTURE0, 0.0f, 0.0f);
+            glMultiTexCoord2f(GL_TEXTURE1, 0.0f, 0.0f);
+            glVertex3f(-1.5f, -1.2f, -1.2f);
+            glMultiTexCoord2f(GL_TEXTURE0, scale, 0.3f * scale);
+            glMultiTexCoord2f(GL_TEXTURE1, 0.0f, 4.0f * scale);
+            glVertex3f(1.5f, -1.2f, -1.2f);
+            glMultiTexCoord2f(GL_TEXTURE0, 0.0f, 4.0f * scale);
+            glMultiTexCoord2f(GL_TEXTURE1, 2.0f * scale, 0.0f);
+            glVertex3f(0.0f, 8.0f, -6.5f);
+            glEnd();
+            glPopMatrix();
+            readWindow();
+            for (int y = 1; y < kWindow; y += 2) {
+                for (int x = 1; x < kWindow; x += 2) tellLevelsNear(x, y);
+                printf("\n");
+            }
+        }
+    glViewport(0, 0, kWindow, kWindow);
+    glMatrixMode(GL_PROJECTION);
+    glPopMatrix();
+    glMatrixMode(GL_MODELVIEW);
+    dropLevels();
+}
+
+/* From within a pixel's diamond to within another one's, so that the pixels are not open. */
+static void lines(void) {
+    static const GLfloat lengths[] = {0.75f, 1.0f, 2.0f, 5.0f};
+    useLevels(0);
+    useLevels(1);
+    for (int steep = 0; steep < 2; ++steep)
+        for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; ++i)
+            for (int level = 0; level < kLevels; ++level) {
+                const GLfloat there = 10.375f + lengths[i];
+                const GLfloat s = lengths[i] * ldexpf(1.0f, level) / kSide;
+                const GLfloat t = lengths[i] * ldexpf(1.0f, kLevels - 1 - level) / kSide;
+                char name[64];
+                snprintf(name, sizeof name, "lines/%s/%d/%d", steep ? "up" : "across", (int)i,
+                         level);
+                beginCase(name);
+                clearBoth();
+                glBegin(GL_LINES);
+                glMultiTexCoord2f(GL_TEXTURE0, 0.0f, 0.0f);
+                glMultiTexCoord2f(GL_TEXTURE1, 0.0f, 0.0f);
+                glVertex2f(steep ? 10.5f : 10.375f, steep ? 10.375f : 10.5f);
+                glMultiTexCoord2f(GL_TEXTURE0, s, s / 8);
+                glMultiTexCoord2f(GL_TEXTURE1, t / 8, t);
+                glVertex2f(steep ? 10.5f : there, steep ? there : 10.5f);
+                glEnd();
+                readWindow();
+                tellPixel(10, 10);
+                for (int k = 1; k < (int)lengths[i]; ++k)
+                    tellPixel(steep ? 10 : 10 + k, steep ? 10 + k : 10);
+            }
+    dropLevels();
+}
+
+typedef struct {
+    double x, y;
+} Place;
+
+/* The share of a pixel that lies in a line's rectangle. */
+static double shareOf(Place from, Place to, double width, int x, int y) {
+    enum { kParts = 32 };
+    const double dx = to.x - from.x, dy = to.y - from.y, length = sqrt(dx * dx + dy * dy);
+    int inside = 0;
+    for (int j = 0; j < kParts; ++j)
+        for (int i = 0; i < kParts; ++i) {
+            const double px = x + (i + 0.5) / kParts - from.x, py = y + (j + 0.5) / kParts - from.y;
+            const double along = (px * dx + py * dy) / length;
+            const double across = (dx * py - dy * px) / length;
+            inside += along >= 0 && along < length && fabs(across) < width / 2;
+        }
+    return (double)inside / (kParts * kParts);
+}
+
+/* OpenGL wants the share of each pixel, and lets implementations approximate it. */
+static void smoothLines(void) {
+    static const struct {
+        Place from, to;
+        GLfloat width;
+    } cases[] = {{{3.3, 5.2}, {28.1, 19.6}, 5.0f},
+                 {{4.2, 27.4}, {26.3, 6.1}, 3.0f},
+                 {{9.4, 3.3}, {20.2, 28.9}, 7.0f},
+                 {{28.2, 11.7}, {4.6, 16.4}, 4.0f},
+                 {{21.6, 28.3}, {17.1, 3.4}, 1.0f}};
+    glColor3f(1.0f, 1.0f, 1.0f);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_LINE_SMOOTH);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        const Place from = cases[i].from, to = cases[i].to;
+        char name[32];
+        snprintf(name, sizeof name, "smooth_line/%d", (int)i);
+        beginCase(name);
+        clearBoth();
+        glLineWidth(cases[i].width);
+        glBegin(GL_LINES);
+        glVertex2d(from.x, from.y);
+        glVertex2d(to.x, to.y);
+        glEnd();
+        readWindow();
+        for (int y = 0; y < kWindow; ++y)
+            for (int x = 0; x < kWindow; ++x) {
+                const double share = shareOf(from, to, cases[i].width, x, y);
+                const double off = window[y][x][0] / 255.0 - share;
+                if (fabs(off) > 0.08) printf("%d %d is not covered by %.2f\n", x, y, share);
+            }
+    }
+    glLineWidth(1.0f);
+    glDisable(GL_LINE_SMOOTH);
+    glDisable(GL_BLEND);
+}
+
+static void flat(GLfloat z) {
+    glBegin(GL_TRIANGLE_STRIP);
+    glVertex3f(0.0f, 0.0f, z);
+    glVertex3f(kWindow, 0.0f, z);
+    glVertex3f(0.0f, kWindow, z);
+    glVertex3f(kWindow, kWindow, z);
+    glEnd();
+}
+
+/* Points that show what lies behind them, and keep what is drawn later, between both, away. */
+static void seenThrough(void) {
+    beginCase("seen_through");
+    clearBoth();
+    glEnable(GL_DEPTH_TEST);
+    glColor4f(0.2f, 0.7f, 0.4f, 1.0f);
+    flat(-0.5f);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glColor4f(0.9f, 0.1f, 0.3f, 0.5f);
+    glBegin(GL_POINTS);
+    for (int i = 0; i < 300; ++i)
+        glVertex3f((GLfloat)(i * 7 % kWindow) + 0.5f, (GLfloat)(i * i * 5 % 31) + 0.5f,
+                   (GLfloat)(i + 1) / 512.0f + 0.25f);
+    glEnd();
+    glDisable(GL_BLEND);
+    glColor4f(0.6f, 0.3f, 0.9f, 1.0f);
+    flat(0.0f);
+    glDisable(GL_DEPTH_TEST);
+    readWindow();
+    for (int y = 0; y < kWindow; ++y)
+        for (int x = 0; x < kWindow; ++x) tellPixel(x, y);
+}
+
+/* A mesh around the window whose corners and edges run through the centres of pixels, but for the
+ * rounding of vertices, matrices and rays: no pixel is drawn twice. */
+static const GLdouble angles[] = {0.0, 0.5, 1.1, 2.3};
+static const GLdouble halfWidths[] = {3.65, 7.3, 11.9, 0.57};
+
+static void meshVertex(int way, int column, int row) {
+    const double x = (4 * column + 0.5) / 16 - 1, y = (4 * row + 0.5) / 16 - 1;
+    const double wide = halfWidths[way], c = cos(angles[way]), s = sin(angles[way]);
+    glVertex2d(wide * (c * x + s * y), wide * (c * y - s * x));
+}
+
+static void roundedMeshes(void) {
+    for (int way = 0; way < 4; ++way) {
+        const GLdouble wide = halfWidths[way];
+        char name[32];
+        snprintf(name, sizeof name, "rounded_mesh/%d", way);
+        beginCase(name);
+        clearBoth();
+        glColor3f(0.0f, 0.0f, 0.0f); /* so that the mesh is not the first that is drawn */
+        flat(-0.5f);
+        glColor3f(0.2f, 0.2f, 0.2f);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        glMatrixMode(GL_PROJECTION);
+        glPushMatrix();
+        glLoadIdentity();
+        glOrtho(-wide, wide, -wide, wide, -1.0, 1.0);
+        glMatrixMode(GL_MODELVIEW);
+        glPushMatrix();
+        glRotated(angles[way] * 180 / 3.14159265358979323846, 0.0, 0.0, 1.0);
+        for (int row = -1; row < 9; ++row) {
+            glBegin(GL_TRIANGLES);
+            for (int column = -1; column < 9; ++column)
+                for (int half = 0; half < 2; ++half) {
+                    const int other = (row + column) & 1;
+                    meshVertex(way, column + half, row + (half ^ other));
+                    meshVertex(way, column + 1, row + other);
+                    meshVertex(way, column, row + 1 - other);
+                }
+            glEnd();
+        }
+        glPopMatrix();
+        glMatrixMode(GL_PROJECTION);
+        glPopMatrix();
+        glMatrixMode(GL_MODELVIEW);
+        glDisable(GL_BLEND);
+        readWindow();
+        for (int y = 0; y < kWindow; ++y) {
+            for (int x = 0; x < kWindow; ++x) putchar(window[y][x][0] > 76 ? 'x' : '.');
+            putchar('\n');
+        }
+    }
+}
+
+static void askQuestions(void) {
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glOrtho(0.0, kWindow, 0.0, kWindow, -1.0, 1.0);
+    glMatrixMode(GL_MODELVIEW);
+    glColor4f(1.0f, 1.0f, 1.0f, 1.0f);
+    mirrors();
+    borders();
+    levels();
+    perspective();
+    lines();
+    smoothLines();
+    seenThrough();
+    roundedMeshes();
+}
