@@ -24,7 +24,8 @@ struct Result {
     std::string name;
     std::vector<std::string> failures; // none: passed
     std::map<std::string, double> numbers;
-    std::string picture; // base name of the files in the work folder, or empty
+    std::string picture = {}; // base name of the files in the work folder, or empty
+    std::string reference = {}; // which of OpenGL's pictures it was compared with
 
     bool passed() const { return failures.empty(); }
 };

@@ -53,12 +53,18 @@ const std::vector<Port>& ports() {
     return list;
 }
 
-PortRun::PortRun(const Settings& settings, std::string port, Size size, int frames)
+const char* nameOf(Rasterizer rasterizer) {
+    return rasterizer == Rasterizer::kLlvmpipe ? "llvmpipe" : "softpipe";
+}
+
+PortRun::PortRun(const Settings& settings, std::string port, Size size, int frames,
+                 Rasterizer rasterizer)
     : settings_(settings),
       port_(std::move(port)),
-      stem_(port_ + "-" + size.text()),
+      stem_(port_ + "-" + size.text() + "-" + nameOf(rasterizer)),
       size_(size),
-      frames_(frames) {}
+      frames_(frames),
+      rasterizer_(rasterizer) {}
 
 PortRun::~PortRun() {
     std::error_code ignored;
@@ -99,8 +105,9 @@ void PortRun::renderReference() {
 void PortRun::renderOpenGl(const std::string& report) {
     const std::string program = settings_.openGlPrograms / port_;
     // One thread, so that the picture depends on nothing; leaks of Mesa are not ours.
-    const std::vector<std::string> environment = {"LP_NUM_THREADS=0",
-                                                  "ASAN_OPTIONS=detect_leaks=0"};
+    const std::vector<std::string> environment = {
+        std::string("GALLIUM_DRIVER=") + nameOf(rasterizer_), "LP_NUM_THREADS=0",
+        "ASAN_OPTIONS=detect_leaks=0"};
     runOrThrow({program, "-geometry", size_.text(), "--rt-offscreen", std::to_string(frames_),
                 "--rt-output", pattern("split", ".png"), "--rt-depth", pattern("split", ".pfm"),
                 "--rt-split", "first", "--rt-buffer", "float"},

@@ -23,10 +23,16 @@ struct Size {
 
 const std::vector<Port>& ports();
 
+// Mesa's two: llvmpipe filters textures of bytes in integers, softpipe in floats.
+enum class Rasterizer { kLlvmpipe, kSoftpipe };
+
+const char* nameOf(Rasterizer rasterizer);
+
 // One port in one size: the frames of both, rendered when they are asked for.
 class PortRun {
 public:
-    PortRun(const Settings& settings, std::string port, Size size, int frames);
+    PortRun(const Settings& settings, std::string port, Size size, int frames,
+            Rasterizer rasterizer);
     ~PortRun();
     PortRun(const PortRun&) = delete;
     PortRun& operator=(const PortRun&) = delete;
@@ -40,6 +46,7 @@ public:
     Frame test(int frame) const;
 
     std::string picturePath(const char* which, int frame) const;
+    const std::string& stem() const { return stem_; }
 
 private:
     void renderOpenGl(const std::string& report);
@@ -51,6 +58,7 @@ private:
     std::string port_, stem_;
     Size size_;
     int frames_;
+    Rasterizer rasterizer_;
     std::array<std::uint8_t, 3> clear_{};
 };
 

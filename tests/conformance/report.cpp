@@ -24,7 +24,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string numbersOf(const Result& result) {
-    std::string text;
+    std::string text = result.reference.empty() ? "" : result.reference + "<br>";
     for (const auto& [name, value] : result.numbers) {
         char number[96];
         std::snprintf(number, sizeof number, "%s %.4g<br>", name.c_str(), value);
@@ -55,6 +55,7 @@ std::string jsonReport(const std::string& library, const std::vector<Result>& re
         nlohmann::ordered_json entry;
         entry["name"] = result.name;
         entry["passed"] = result.passed();
+        if (!result.reference.empty()) entry["reference"] = result.reference;
         if (!result.numbers.empty()) entry["numbers"] = result.numbers;
         if (!result.passed()) entry["failures"] = result.failures;
         list.push_back(std::move(entry));
