@@ -6,8 +6,11 @@
 #include <sys/prctl.h>
 
 #include <algorithm>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -19,10 +22,26 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kTag = 7;
 constexpr unsigned kUnderWay = 32; ///< messages to a peer that MPI has at once
+constexpr auto kHeartbeat = 1s;    ///< from one heartbeat to the next
+constexpr int kSilence = 60;       ///< seconds without any after which rank 0 is lost
 
 /// MPI has no call that waits for a message or a time: how long to sleep between two looks.
 std::chrono::microseconds pause(Clock::duration idle) {
     return idle < 5ms ? 20us : idle < 1s ? 200us : 1000us;
+}
+
+/// 0: for ever.
+std::chrono::seconds silenceFromEnvironment() {
+    const char* const text = secure_getenv("OPENRT_MPI_SILENCE");
+    if (!text) return std::chrono::seconds(kSilence);
+    int seconds = 0;
+    const char* const end = text + std::strlen(text);
+    const auto [last, problem] = std::from_chars(text, end, seconds);
+    if (problem == std::errc() && last == end && (seconds == 0 || seconds > kHeartbeat.count()))
+        return std::chrono::seconds(seconds);
+    std::fprintf(stderr, "openrt: OPENRT_MPI_SILENCE is neither 0 nor a number of seconds above %d: "
+                 "%d\n", int(kHeartbeat.count()), kSilence);
+    return std::chrono::seconds(kSilence);
 }
 
 /// Open MPI opens its own parts as plug-ins, which look for its symbols among the global ones.
@@ -114,6 +133,9 @@ std::string MpiTransport::start() {
     MPI_Comm_rank(ranks_, &rank_);
     MPI_Comm_size(ranks_, &size);
     peers_.resize(rank_ == 0 ? std::size_t(size) - 1 : 1);
+    if (rank_ == 0) heartbeats_.resize(peers_.size(), MPI_REQUEST_NULL);
+    silence_ = silenceFromEnvironment();
+    lastHeard_ = Clock::now();
     return "";
 }
 
@@ -135,9 +157,11 @@ void MpiTransport::run() {
         bool moved = startSends();
         moved |= endSends();
         moved |= takeMessage();
+        sendHeartbeats();
         const Clock::time_point now = Clock::now();
         if (moved) last = now;
         std::unique_lock lock(mutex_);
+        if (rank_ != 0 && silence_ != 0s && now - lastHeard_ > silence_) loseLocked(0);
         if (finishing_ && (unsent_ == 0 || now - last > 5s)) break;
         if (!moved)
             wake_.wait_for(lock, pause(now - last), [&] {
@@ -152,6 +176,18 @@ void MpiTransport::run() {
         finished_ = true;
     }
     changed_.notify_all();
+}
+
+// Where the last one to a rank is still under way, the rank takes none.
+void MpiTransport::sendHeartbeats() {
+    const Clock::time_point now = Clock::now();
+    if (heartbeats_.empty() || now - lastHeartbeat_ < kHeartbeat) return;
+    lastHeartbeat_ = now;
+    for (unsigned i = 0; i < heartbeats_.size(); ++i) {
+        int done = 0;
+        if (MPI_Test(&heartbeats_[i], &done, MPI_STATUS_IGNORE) == MPI_SUCCESS && done)
+            MPI_Isend(nullptr, 0, MPI_BYTE, rankOf(i), kTag, ranks_, &heartbeats_[i]);
+    }
 }
 
 void MpiTransport::loseLocked(unsigned peer) {
@@ -226,6 +262,7 @@ bool MpiTransport::takeMessage() {
         return false;
     }
     if (!found) return false;
+    lastHeard_ = Clock::now();
     int count = 0;
     MPI_Get_count(&status, MPI_BYTE, &count);
     const bool fits = count >= 0 && std::size_t(count) <= kMaxMessage;
@@ -234,6 +271,7 @@ bool MpiTransport::takeMessage() {
     // What does not fit is cut, and known as no message by its length.
     const int result = MPI_Mrecv(arrival.message.data(), int(arrival.message.size()), MPI_BYTE,
                                  &matched, MPI_STATUS_IGNORE);
+    if (rank_ != 0 && count == 0) return false; // a heartbeat
     const std::lock_guard lock(mutex_);
     ++moved_;
     if (arrival.peer >= peers_.size() || peers_[arrival.peer].closed) return true;

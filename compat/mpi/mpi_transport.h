@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -18,7 +19,8 @@
 namespace smart::compat {
 
 /// One thread makes all calls of MPI, from the first to the last, and none of them waits for
-/// another rank, but for the end.
+/// another rank, but for the end. MPI does not tell that a rank is gone, so rank 0 lets the others
+/// hear from it every few seconds, and they take it for lost when they have not for long.
 class MpiTransport final : public MpiRanks {
 public:
     /// Throws std::runtime_error where MPI can not be used.
@@ -58,6 +60,7 @@ private:
     bool startSends();
     bool endSends();
     bool takeMessage();
+    void sendHeartbeats();
     void loseLocked(unsigned peer);
     int rankOf(unsigned peer) const { return rank_ == 0 ? int(peer) + 1 : 0; }
 
@@ -65,6 +68,9 @@ private:
     MPI_Comm ranks_ = MPI_COMM_NULL;
     std::vector<MPI_Request> requests_;
     std::vector<Sending> sending_; ///< to requests_
+    std::vector<MPI_Request> heartbeats_; ///< the last one to each peer
+    std::chrono::steady_clock::time_point lastHeartbeat_, lastHeard_;
+    std::chrono::seconds silence_{};
 
     const Lz4Codec codec_;
     int rank_ = 0;
