@@ -31,18 +31,19 @@ def between(text, name, lines):
 
 
 def pictures(report):
-    worst = {}
+    worst, others = {}, {}
     for result in report["results"]:
         match = re.fullmatch(r"picture/(\w+)/(\d+)x(\d+)", result["name"])
         if not match or "numbers" not in result:
             continue
         of_port = worst.setdefault(match[1], {})
+        others[match[1]] = others.get(match[1], 0) + (result.get("reference") == "softpipe")
         for name, value in result["numbers"].items():
             of_port[name] = max(of_port.get(name, 0.0), value)
     rows = [[f"`{port}`", f"{n['colorMean']:.3f}", f"{n['color999']:.0f}", f"{n['depthMax']:.0e}",
-             f"{n['flip']:.4f}", f"{100 * n['open']:.1f} %"] for port, n in sorted(worst.items())]
+             f"{n['flip']:.4f}", f"{100 * n['open']:.1f} %", f"{others[port] or ''}"] for port, n in sorted(worst.items())]
     return [f"{report['passed']} of {report['cases']} cases passed.", ""] + table(
-        ["port", "colour inside, mean", "99.9 percentile", "depth inside", "FLIP", "open pixels"],
+        ["port", "colour inside, mean", "99.9 percentile", "depth inside", "FLIP", "open pixels", "by softpipe"],
         rows)
 
 
