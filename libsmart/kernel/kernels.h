@@ -41,9 +41,9 @@ struct KernelTable {
                                              HitPacket*);
     void (*occludedStream[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
                                             uint32_t* blocked);
-    /// Everything that the ray meets in its range, in no order, a triangle perhaps more than once.
+    /// Everything that each ray meets in its range, in no order, a triangle perhaps more than once.
     /// Where the list is too short, again with a longer one.
-    void (*intersectAll1[kPrecisionCount])(const ModelView&, const Ray&, HitList&);
+    void (*intersectAll[kPrecisionCount])(const ModelView&, const RayPacket&, HitList&);
     /// intersect that also adds up what it did
     void (*intersectCounted[kPrecisionCount])(const ModelView&, const RayPacket&, HitPacket&,
                                               TraversalCounts&);

@@ -127,22 +127,83 @@ void intersect1(const ModelView& scene, const Ray& ray, Hit& hit) {
     for (uint32_t l = 0; l < hit.levels; ++l) hit.path[l] = query.path[l][0];
 }
 
+/// Computes where hits of a packet's rays lie, sixteen at once.
+void placeAll(const ModelView& scene, const RayPacket& packet, const HitList& list,
+              uint32_t count) {
+    for (uint32_t first = 0; first < count; first += kPacketSize) {
+        const uint32_t some = count - first < kPacketSize ? count - first : kPacketSize;
+        RayPacket rays = packet;
+        HitPacket found;
+        for (uint32_t i = 0; i < uint32_t(kPacketSize); ++i) {
+            found.triangle[i] = kNoHit;
+            found.levels[i] = 0;
+            if (i >= some) continue;
+            const Hit& hit = list.hits[first + i];
+            const uint32_t lane = list.lanes[first + i];
+            for (int k = 0; k < 3; ++k) {
+                rays.org[k][i] = packet.org[k][lane];
+                rays.dir[k][i] = packet.dir[k][lane];
+            }
+            rays.tNear[i] = packet.tNear[lane];
+            rays.tFar[i] = packet.tFar[lane];
+            found.triangle[i] = hit.triangle;
+            found.levels[i] = hit.levels;
+            for (uint32_t l = 0; l < hit.levels; ++l) found.path[l][i] = hit.path[l];
+        }
+        const RayArrays in(rays);
+        refineHits<kPacketSize>(scene, in.org, in.dir, in.tNear, in.tFar, found.triangle,
+                                found.levels, found.path, found.t, found.u, found.v);
+        for (uint32_t i = 0; i < some; ++i) {
+            Hit& hit = list.hits[first + i];
+            hit.t = found.t[i];
+            hit.u = found.u[i];
+            hit.v = found.v[i];
+        }
+    }
+}
+
+/// The same with exact arithmetic, ray by ray.
+void placeAllExactly(const ModelView& scene, const RayPacket& packet, const HitList& list,
+                     uint32_t count) {
+    for (uint32_t lane = 0; lane < uint32_t(kPacketSize); ++lane) {
+        Ray ray;
+        for (int k = 0; k < 3; ++k) {
+            ray.org[k] = packet.org[k][lane];
+            ray.dir[k] = packet.dir[k][lane];
+        }
+        ray.tNear = packet.tNear[lane];
+        ray.tFar = packet.tFar[lane];
+        bool isPrepared = false;
+        WorldRays<1> world;
+        Search<1, HitMode::All, NoCounts> query;
+        for (uint32_t i = 0; i < count; ++i) {
+            if (list.lanes[i] != lane) continue;
+            if (!isPrepared) {
+                Precise<1>::Rays rays;
+                prepare<Precise>(scene, RayArrays(ray), rays, world, query);
+                isPrepared = true;
+            }
+            Hit& hit = list.hits[i];
+            query.triangle[0] = hit.triangle;
+            query.levels[0] = hit.levels;
+            for (uint32_t l = 0; l < hit.levels; ++l) query.path[l][0] = hit.path[l];
+            placeHits(scene, world, query, &hit.t, &hit.u, &hit.v);
+        }
+    }
+}
+
 template <template <int> class Precision>
-void intersectAll1(const ModelView& scene, const Ray& ray, HitList& list) {
-    const RayArrays in(ray);
-    WorldRays<1> world;
-    Search<1, HitMode::All, NoCounts> query;
+void intersectAll(const ModelView& scene, const RayPacket& rays, HitList& list) {
+    WorldRays<kPacketSize> world;
+    Search<kPacketSize, HitMode::All, NoCounts> query;
     list.count = 0;
     query.all = &list;
-    run<Precision>(scene, in, world, query);
+    run<Precision>(scene, RayArrays(rays), world, query);
     const uint32_t stored = list.count < list.capacity ? list.count : list.capacity;
-    for (uint32_t i = 0; i < stored; ++i) {
-        Hit& hit = list.hits[i];
-        query.triangle[0] = hit.triangle;
-        query.levels[0] = hit.levels;
-        for (uint32_t l = 0; l < hit.levels; ++l) query.path[l][0] = hit.path[l];
-        place<Precision>(scene, in, world, query, &hit.t, &hit.u, &hit.v);
-    }
+    if constexpr (kIsPrecise<Precision>)
+        placeAllExactly(scene, rays, list, stored);
+    else
+        placeAll(scene, rays, list, stored);
 }
 
 template <template <int> class Precision>
@@ -330,7 +391,7 @@ const KernelTable kTable = {
     {occludedTile<Fast>, occludedTile<Watertight>, occludedTile<Precise>},
     {intersectStream<Fast>, intersectStream<Watertight>, intersectStream<Precise>},
     {occludedStream<Fast>, occludedStream<Watertight>, occludedStream<Precise>},
-    {intersectAll1<Fast>, intersectAll1<Watertight>, intersectAll1<Precise>},
+    {intersectAll<Fast>, intersectAll<Watertight>, intersectAll<Precise>},
     {intersectCounted<Fast>, intersectCounted<Watertight>, intersectCounted<Precise>},
 };
 

@@ -44,10 +44,11 @@ struct Hit {
     uint32_t path[kMaxLevels];
 };
 
-/// Memory of the caller for what a ray meets. `count` tells how much there was to be stored: where
-/// it exceeds the capacity the rest is missing.
+/// Memory of the caller for what the rays of a packet meet. `count` tells how much there was to be
+/// stored: where it exceeds the capacity the rest is missing.
 struct HitList {
     Hit* hits;
+    uint32_t* lanes; ///< of each hit, the ray's
     uint32_t capacity, count;
 };
 

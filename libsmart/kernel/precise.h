@@ -103,7 +103,7 @@ public:
                 active = andNot(active, clear);
                 best = select(clear, Real<N>(-__builtin_inff()), best);
             } else if constexpr (M == HitMode::All) {
-                query.append(number);
+                query.append(clear.bits(), number);
             } else {
                 query.keepTriangle(clear, number);
                 best = select(clear, high, best);
@@ -183,7 +183,7 @@ private:
                 blocked |= 1u << i;
                 limits[i] = -__builtin_inff();
             } else if constexpr (M == HitMode::All) {
-                query.append(number);
+                query.append(1u << i, number);
             } else {
                 if (ruling.order == Order::Equal && !query.precedes(number, i)) continue;
                 query.keepTriangle(Mask<N>::fromBits(1u << i), number);

@@ -62,6 +62,7 @@ struct alignas(64) Search {
 
     const WorldRays<N>* world = nullptr; ///< precise mode only
     HitList* all = nullptr;              ///< HitMode::All: where the hits go
+    uint32_t firstLane = 0;              ///< ... as the first lane's of these
     bool lastOfEqual = false;            ///< as ModelView has it
     bool wideReady = false;              ///< as ModelView has it
 
@@ -118,24 +119,17 @@ struct alignas(64) Search {
         deepest = deepest > currentLevels ? deepest : currentLevels;
     }
 
-    /// HitMode::All: adds the triangle at hand, unless it was found in one of the last leaves too.
-    void append(uint32_t candidate) {
-        static_assert(N == 1 || M != HitMode::All);
-        const uint32_t end = all->count < all->capacity ? all->count : all->capacity;
-        for (uint32_t i = end; i > 0 && i + 4 > end; --i) {
-            const Hit& before = all->hits[i - 1];
-            bool same = before.triangle == candidate && before.levels == currentLevels;
-            for (uint32_t l = 0; same && l < currentLevels; ++l)
-                same = before.path[l] == currentPath[l];
-            if (same) return;
-        }
-        if (all->count < all->capacity) {
-            Hit& hit = all->hits[all->count];
+    /// HitMode::All: adds the triangle at hand for the lanes given.
+    void append(uint32_t lanes, uint32_t candidate) {
+        for (; lanes; lanes &= lanes - 1) {
+            const uint32_t at = all->count++;
+            if (at >= all->capacity) continue;
+            Hit& hit = all->hits[at];
             hit.triangle = candidate;
             hit.levels = currentLevels;
             for (uint32_t l = 0; l < currentLevels; ++l) hit.path[l] = currentPath[l];
+            all->lanes[at] = firstLane + uint32_t(lowestBit(lanes));
         }
-        ++all->count;
     }
 
     /// Takes a triangle met at t by the lanes `hit`; returns the lanes' new far limits.
@@ -144,7 +138,7 @@ struct alignas(64) Search {
             blocked |= hit.bits();
             return far;
         } else if constexpr (M == HitMode::All) {
-            append(candidate);
+            append(hit.bits(), candidate);
             return far;
         } else {
             Mask<N> taken = hit;

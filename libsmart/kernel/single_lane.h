@@ -59,6 +59,8 @@ public:
         for (uint32_t l = 0; l < packet.currentLevels; ++l)
             query.currentPath[l] = packet.currentPath[l];
         query.counter = packet.counter;
+        query.all = packet.all;
+        query.firstLane = uint32_t(lane);
     }
     LaneQuery(const LaneQuery&) = delete;
     LaneQuery& operator=(const LaneQuery&) = delete;

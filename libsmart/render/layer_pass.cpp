@@ -235,10 +235,10 @@ void LayerPass::gather(uint32_t packet) {
     LayerPassMemory& pass = *pass_;
     pass.hits.clear();
     pass.fragments.clear();
+    collect();
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
         const std::size_t first = pass.hits.size();
-        if ((of_->active >> lane & 1u) && rays_->hasHit(int(lane)))
-            gatherHits(lane, (of_->all >> lane & 1u) != 0);
+        if ((of_->active >> lane & 1u) && rays_->hasHit(int(lane))) gatherHits(lane);
         lanes_[lane].first = uint32_t(pass.fragments.size());
         if (of_->open >> lane & 1u)
             addFragments(first, tile_order::entryOf(packet * kLanes + lane));
@@ -246,23 +246,53 @@ void LayerPass::gather(uint32_t packet) {
     }
 }
 
-void LayerPass::gatherHits(uint32_t lane, bool all) {
+void LayerPass::collect() {
+    of_->alone = of_->limited = 0;
+    RayPacket rays = rays_->rays;
+    rays.active = 0;
+    forEach(of_->active, [&](int lane) {
+        if (!rays_->hasHit(lane)) return;
+        const uint32_t bit = 1u << lane;
+        if ((of_->all & bit) == 0) {
+            const Hit nearest = rays_->hit(lane);
+            const bool alone = needs_.collects
+                                   ? decidesAlone(uint32_t(lane), nearest)
+                                   : isDrawn(surfaceOf(nearest), nearest, uint32_t(lane));
+            if (alone) {
+                of_->alone |= bit;
+                return;
+            }
+            const float far = farthestSeen(uint32_t(lane), nearest);
+            if (needs_.collects && far < rays.tFar[lane]) {
+                rays.tFar[lane] = far;
+                of_->limited |= bit;
+            }
+        }
+        rays.active |= bit;
+    });
+    if (rays.active != 0) services_.findAllHits(rays, pass_->met);
+}
+
+void LayerPass::gatherHits(uint32_t lane) {
     LayerPassMemory& pass = *pass_;
-    const std::size_t first = pass.hits.size();
-    const Ray ray = rays_->ray(int(lane));
-    if (!all) {
+    const uint32_t bit = 1u << lane;
+    if (((of_->alone | of_->limited) & bit) == 0) return keepHits(lane, pass.met.of(lane));
+    const auto first = std::ptrdiff_t(pass.hits.size());
+    if ((of_->alone & bit) != 0) {
         const Hit nearest = rays_->hit(int(lane));
-        Ray near = ray;
-        if (!needs_.collects || decidesAlone(lane, nearest))
-            keepHits(lane, {&nearest, 1});
-        else if ((near.tFar = farthestSeen(lane, nearest)) < ray.tFar)
-            keepHits(lane, services_.findAllHits(near, pass.met));
-        const auto counts = [](const LayerHit& kept) { return kept.counts; };
-        const auto begin = pass.hits.begin() + std::ptrdiff_t(first);
-        if (begin != pass.hits.end() && std::all_of(begin, pass.hits.end(), counts)) return;
-        pass.hits.erase(begin, pass.hits.end()); // the ray goes on
+        keepHits(lane, {&nearest, 1});
+    } else {
+        keepHits(lane, pass.met.of(lane));
     }
-    keepHits(lane, services_.findAllHits(ray, pass.met));
+    const auto begin = pass.hits.begin() + first;
+    if (begin != pass.hits.end() &&
+        std::all_of(begin, pass.hits.end(), [](const LayerHit& kept) { return kept.counts; }))
+        return;
+    pass.hits.erase(begin, pass.hits.end()); // the ray goes on
+    RayPacket rays = rays_->rays;
+    rays.active = bit;
+    services_.findAllHits(rays, pass.beyond);
+    keepHits(lane, pass.beyond.of(lane));
 }
 
 bool LayerPass::hidesOthers(uint32_t lane, const Hit& nearest) {

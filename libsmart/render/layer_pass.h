@@ -43,6 +43,9 @@ struct LayerLanes {
     uint32_t open = 0;          ///< lanes whose pixels the layer may change
     uint32_t active = 0;        ///< those of them that have a ray
     uint32_t all = 0;           ///< active ones whose pixels need all hits
+    // Of the active ones that met something:
+    uint32_t alone = 0;   ///< those of which the nearest hit is enough
+    uint32_t limited = 0; ///< of the others, those which are enough up to what hides the rest
 };
 
 /// A fragment of a packet's pixels that is to be shaded.
@@ -57,7 +60,7 @@ struct LayerPassMemory {
     LayerLanes lanes[kTilePackets]; ///< of the rays
     WayCache<LayerSurface> surfaces;
     std::vector<PixelFragment> covered; ///< by pixel primitives: by entry, then in order
-    std::vector<Hit> met;
+    AllHits met, beyond;
     // Of the packet, lane after lane, each lane's in order.
     std::vector<LayerHit> hits;
     std::vector<Fragment> fragments;
@@ -94,8 +97,10 @@ private:
     static bool needsAll(std::span<const PixelFragment> covered);
     /// Finds the fragments of the open lanes, whose nearest hits are known.
     void gather(uint32_t packet);
+    /// Finds all hits of the rays that need more than the nearest.
+    void collect();
     /// Keeps the hits of a ray that matter.
-    void gatherHits(uint32_t lane, bool all);
+    void gatherHits(uint32_t lane);
     /// Whether what lies behind a ray's nearest hit is not to be seen;
     bool hidesOthers(uint32_t lane, const Hit& nearest);
     /// nor anything at its own place.

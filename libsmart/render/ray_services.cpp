@@ -12,13 +12,6 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// The order in which triangles were given: a model's own before those of its children.
-bool submittedBefore(const Hit& a, const Hit& b) {
-    for (uint32_t level = 0; level < a.levels && level < b.levels; ++level)
-        if (a.path[level] != b.path[level]) return a.path[level] < b.path[level];
-    return a.levels != b.levels ? a.levels < b.levels : a.triangle < b.triangle;
-}
-
 template <class Vector>
 void copy(float (&to)[3], const Vector& from) {
     for (int k = 0; k < 3; ++k) to[k] = from[k];
@@ -164,22 +157,8 @@ Hit RayServices::findHit(const Ray& ray) const {
     return hit;
 }
 
-std::span<const Hit> RayServices::findAllHits(const Ray& ray, std::vector<Hit>& memory) const {
-    constexpr std::size_t kAtFirst = 64;
-    if (memory.size() < kAtFirst) memory.resize(kAtFirst);
-    HitList list{};
-    while (true) {
-        list = {memory.data(), uint32_t(memory.size()), 0};
-        kernels_.intersectAll1[precision_](frame_.scene->view(), ray, list);
-        if (list.count <= list.capacity) break;
-        memory.resize(list.count);
-    }
-    const auto end = memory.begin() + list.count;
-    std::sort(memory.begin(), end, submittedBefore);
-    const auto last = std::unique(memory.begin(), end, [](const Hit& a, const Hit& b) {
-        return !submittedBefore(a, b); // sorted: not before is the same
-    });
-    return {memory.begin(), last};
+void RayServices::findAllHits(const RayPacket& rays, AllHits& found) const {
+    found.find(kernels_.intersectAll[precision_], frame_.scene->view(), rays);
 }
 
 bool RayServices::isOccluded(const Ray& ray) const {

@@ -11,6 +11,7 @@
 
 #include "libsmart/kernel/kernels.h"
 #include "libsmart/kernel/packet_math.h"
+#include "libsmart/render/all_hits.h"
 #include "libsmart/render/camera_rays.h"
 #include "libsmart/render/fixed_function_shader.h"
 #include "libsmart/render/frame.h"
@@ -121,8 +122,8 @@ public:
     void findHits(RayGroup& rays, uint32_t lanes) const;
     /// The same for the kTilePackets groups of neighbouring camera rays.
     void findTileHits(RayGroup* groups, const uint32_t* lanes) const;
-    /// All that a ray meets, each triangle once, in order of submission. They lie in `memory`.
-    std::span<const Hit> findAllHits(const Ray& ray, std::vector<Hit>& memory) const;
+    /// Everything that the active rays of a packet meet.
+    void findAllHits(const RayPacket& rays, AllHits& found) const;
     /// The surface shader of what a ray hit; nullptr: there is none.
     const ShaderObject* findSurface(const Hit& hit);
     /// Those of the given lanes, which hit something.

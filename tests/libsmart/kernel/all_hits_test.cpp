@@ -46,34 +46,61 @@ struct SoupScene {
     }
 };
 
+/// Packets of rays with much in common, and some with nothing.
 std::vector<Ray> rays() {
     std::mt19937 random(3);
     std::normal_distribution<float> normal;
     std::vector<Ray> result(60);
-    for (Ray& ray : result) {
+    float along[3] = {};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        Ray& ray = result[i];
         for (int k = 0; k < 3; ++k) {
+            if (i % kPacketSize == 0) along[k] = i < 3 * kPacketSize ? 4 * normal(random) : 0.0f;
             ray.org[k] = 0.3f * normal(random);
-            ray.dir[k] = normal(random);
+            ray.dir[k] = along[k] + normal(random);
         }
+        const float scale = std::hypot(ray.dir[0], ray.dir[1], ray.dir[2]) / 1.7f;
+        for (float& d : ray.dir) d /= scale;
         ray.tNear = 0.1f;
         ray.tFar = 1.5f;
     }
     return result;
 }
 
-std::map<Name, std::array<float, 3>> allHits(const KernelTable& kernels, Precision precision,
-                                             const ModelView& view, const Ray& ray) {
-    std::vector<Hit> memory(1); // too short for most
-    HitList list{memory.data(), 1, 0};
-    kernels.intersectAll1[std::size_t(precision)](view, ray, list);
-    memory.resize(std::max<std::size_t>(list.count, 1));
-    const uint32_t count = list.count;
-    list = {memory.data(), uint32_t(memory.size()), 0};
-    kernels.intersectAll1[std::size_t(precision)](view, ray, list);
-    EXPECT_LE(list.count, count); // a short list may count a triangle once more
-    std::map<Name, std::array<float, 3>> found;
-    for (uint32_t i = 0; i < list.count; ++i)
-        found[nameOf(memory[i])] = {memory[i].t, memory[i].u, memory[i].v};
+using Hits = std::map<Name, std::array<float, 3>>;
+
+/// Of all rays, sixteen at a time; the last packet has idle lanes.
+std::vector<Hits> allHits(const KernelTable& kernels, Precision precision, const ModelView& view,
+                          const std::vector<Ray>& rays) {
+    std::vector<Hits> found(rays.size());
+    for (std::size_t first = 0; first < rays.size(); first += kPacketSize) {
+        const std::size_t some = std::min<std::size_t>(rays.size() - first, kPacketSize);
+        RayPacket packet{};
+        for (std::size_t i = 0; i < some; ++i) {
+            const Ray& ray = rays[first + i];
+            for (int k = 0; k < 3; ++k) {
+                packet.org[k][i] = ray.org[k];
+                packet.dir[k][i] = ray.dir[k];
+            }
+            packet.tNear[i] = ray.tNear;
+            packet.tFar[i] = ray.tFar;
+            packet.active |= 1u << i;
+        }
+        std::vector<Hit> memory(1); // too short for most
+        std::vector<uint32_t> lanes(1);
+        HitList list{memory.data(), lanes.data(), 1, 0};
+        kernels.intersectAll[std::size_t(precision)](view, packet, list);
+        const uint32_t count = list.count;
+        memory.resize(std::max(count, 1u));
+        lanes.resize(memory.size());
+        list = {memory.data(), lanes.data(), uint32_t(memory.size()), 0};
+        kernels.intersectAll[std::size_t(precision)](view, packet, list);
+        EXPECT_EQ(list.count, count);
+        for (uint32_t i = 0; i < list.count; ++i) {
+            EXPECT_LT(lanes[i], some);
+            found[first + lanes[i]][nameOf(memory[i])] = {memory[i].t, memory[i].u, memory[i].v};
+        }
+    }
     return found;
 }
 
@@ -89,23 +116,28 @@ TEST(AllHits, EachTriangleThatIsMetAlone) {
                     std::vector<Instance>{place(makeModel({triangle}), soup.places[copy])},
                     precision, 1u));
         std::size_t hits = 0, most = 0;
-        for (const Ray& ray : rays()) {
-            std::map<Name, std::array<float, 3>> expected;
+        const std::vector<Ray> tested = rays();
+        const std::vector<Ray> apart = {tested[0], tested[1]}; // few rays go one by one
+        std::vector<Hits> expected;
+        for (const Ray& ray : tested) {
+            Hits& of = expected.emplace_back();
             for (uint32_t copy = 0; copy < 3; ++copy)
                 for (uint32_t i = 0; i < soup.triangles.size(); ++i) {
                     Hit hit;
                     findKernels("generic")->intersect1[std::size_t(precision)](
                         alone[copy * soup.triangles.size() + i]->view(), ray, hit);
-                    if (hit.triangle != kNoHit)
-                        expected[soup.nameOf(copy, i)] = {hit.t, hit.u, hit.v};
+                    if (hit.triangle != kNoHit) of[soup.nameOf(copy, i)] = {hit.t, hit.u, hit.v};
                 }
-            for (const KernelTable* kernels : availableKernels())
-                for (const ModelView& view : views)
-                    EXPECT_EQ(allHits(*kernels, precision, view, ray), expected)
-                        << kernels->name << ' ' << int(precision) << ' ' << view.wideReady;
-            hits += expected.size();
-            most = std::max(most, expected.size());
+            hits += of.size();
+            most = std::max(most, of.size());
         }
+        for (const KernelTable* kernels : availableKernels())
+            for (const ModelView& view : views) {
+                EXPECT_EQ(allHits(*kernels, precision, view, tested), expected)
+                    << kernels->name << ' ' << int(precision) << ' ' << view.wideReady;
+                EXPECT_EQ(allHits(*kernels, precision, view, apart),
+                          (std::vector<Hits>{expected[0], expected[1]}));
+            }
         EXPECT_GT(hits, 200u);
         EXPECT_GT(most, 8u);
     }
@@ -124,7 +156,9 @@ TEST(AllHits, LastOfEqualDistances) {
                 Hit hit;
                 kernels->intersect1[std::size_t(precision)](scene.view(), ray, hit);
                 EXPECT_EQ(nameOf(hit), last ? (Name{2, 0, 4}) : (Name{0, 0})) << kernels->name;
-                EXPECT_EQ(allHits(*kernels, precision, scene.view(), ray).size(), 20u);
+                for (const Hits& found : allHits(*kernels, precision, scene.view(),
+                                                 std::vector<Ray>(16, ray)))
+                    EXPECT_EQ(found.size(), 20u);
                 const std::vector<Hit> packet =
                     tracePackets(*kernels, precision, scene.view(), std::vector<Ray>(16, ray),
                                  Filling::Full);
