@@ -88,5 +88,27 @@ class Manual(unittest.TestCase):
         self.assertEqual(missing(good.replace(call, "\n" + call), "rt_core.h"), ["rtInit: no page"])
 
 
+class Programs(unittest.TestCase):
+    """Section 1, of the texts that are put around what --help prints."""
+
+    def test_every_program(self):
+        text = (ROOT / "docs/CMakeLists.txt").read_text(encoding="utf-8")
+        named = set(re.search(r"foreach\(program ([^)]*)\)", text)[1].split())
+        self.assertEqual({path.stem for path in (ROOT / "docs/man").glob("*.h2m")}, named)
+        completion = (ROOT / "samples/tools/completion.bash").read_text(encoding="utf-8")
+        self.assertEqual(set(re.findall(r"openrt-\w+", completion.split("complete -o")[1])), named)
+
+    def test_what_pages_say(self):
+        for path in sorted((ROOT / "docs/man").glob("*.h2m")):
+            text = path.read_text(encoding="utf-8")
+            with self.subTest(page=path.name):
+                self.assertRegex(text, rf"\[NAME\]\n{path.stem} - \w")
+                status = text.partition("[EXIT STATUS]\n")[2].partition("\n[")[0]
+                self.assertEqual(re.findall(r"^\.TP\n(\d)$", status, re.MULTILINE)[:3],
+                                 ["0", "1", "2"])
+                for part in ("[EXAMPLES]", "[SEE ALSO]", "[ENVIRONMENT]"):
+                    self.assertIn(part, text)
+
+
 if __name__ == "__main__":
     unittest.main()
