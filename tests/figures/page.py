@@ -158,18 +158,51 @@ def suites():
             "and closed twenty times, and twice in one process.", ""]
 
 
+def valgrind():
+    programs = read("valgrind.json")
+    text = ["## Valgrind", "",
+            "memcheck, with AVX2, over the fuzz targets' first inputs and the program of one "
+            "triangle: wrong accesses, values that were never set, memory that is lost.", ""]
+    if not programs:
+        return [*text, f"`tests/figures/valgrind.py`: {NOT_RUN}.", ""]
+    return text + table(["program", "inputs", "errors"],
+                        [[entry["program"], entry["inputs"], entry["errors"]] for entry in programs])
+
+
+def packages():
+    made = read("packages.json")
+    text = ["## Packages", "",
+            "Debian packages by CPack, judged by lintian; `tests/figures/packages.py`.", ""]
+    if not made:
+        return [*text, f"lintian: {NOT_RUN}.", ""]
+    return text + table(["package", "size", "errors", "warnings"],
+                        [[entry["package"], f"{entry['bytes'] / 1e6:.2f} MB",
+                          ", ".join(entry["errors"]) or "none",
+                          ", ".join(entry["warnings"]) or "none"] for entry in made])
+
+
+def bare_machine():
+    bare = read("bare.json")
+    if not bare:
+        return NOT_RUN
+    steps = [bare[name] for name in ("packages", "demo")]
+    minutes, work = (sum(step[key] for step in steps) for key in ("minutes", "core_minutes"))
+    return (f"{minutes:.1f} minutes, {bare['packages']['minutes']} of them for packages; "
+            f"{work:.1f} minutes of one core. {bare.get('note', '')}").rstrip()
+
+
 def sizes():
-    start, coverage, bare = read("start.json"), read("coverage.json"), read("bare.json")
+    start, coverage = read("start.json"), read("coverage.json")
     rows = [["stripped `libOpenRT.so`",
              f"{start['library_bytes'] / 1e6:.2f} MB" if start else NOT_RUN],
             ["a C program that renders one triangle of 64 x 64 pixels, start to end",
              f"{start['one_triangle_ms']['median']} ms (`/bin/true`: "
              f"{start['true_ms']['median']} ms)" if start else NOT_RUN],
-            ["from a bare Debian 12 to the first picture, by `./demo`",
-             f"{bare['minutes']} minutes ({bare['machine']})" if bare else NOT_RUN]]
+            ["from a bare Debian 12 to the first picture, by `./demo`", bare_machine()]]
     twice = read("reproducible.json")
+    told = NOT_RUN if not twice else "equal" if twice["equal"] else "different"
     rows.append(["two builds of the library in different folders",
-                 NOT_RUN if not twice else "equal" if twice["equal"] else "different"])
+                 f"{told}. {twice['note']}" if twice and "note" in twice else told])
     if coverage:
         share = 100 * coverage["covered"] / coverage["lines"]
         which = f", by the tests `{coverage['tests']}` only" if "tests" in coverage else ""
@@ -182,6 +215,9 @@ def sizes():
         text += table(["folder", "lines", "covered"],
                       [[name, thousands(f["lines"]), f"{100 * f['covered'] / f['lines']:.1f} %"]
                        for name, f in coverage["folders"].items()])
+        text += ["Least covered:", "",
+                 *table(["file", "covered"], [[f"`{f['source']}`", f"{100 * f['share']:.0f} %"]
+                                              for f in coverage["least"]])]
     return text
 
 
@@ -193,7 +229,7 @@ def page():
         "What was done to make the library fail, how often, and what came of it. `./check --long` "
         "makes all of these runs; `tests/figures/page.py` made this page of their results, which are "
         "in `docs/figures/results`. What has no result says so." + when, "",
-        *fuzzing(), *memory(), *calls(), *suites(), *sizes()]
+        *fuzzing(), *memory(), *calls(), *suites(), *valgrind(), *packages(), *sizes()]
     wrapped = (line if line.startswith("|") else textwrap.fill(line, 100, break_on_hyphens=False,
                                                                break_long_words=False)
                for line in lines)

@@ -42,7 +42,8 @@ class Differences(unittest.TestCase):
         for name, old, new in (("gone", "SHOWN void rtB(void) {}\n", ""),
                                ("member", "float a;", "double a;"),
                                ("order", "float a; int b;", "int b; float a;"),
-                               ("parameter", "int n)", "long n)"), ("result", "int rtA", "char rtA")):
+                               ("parameter", "int n)", "long n)"),
+                               ("result", "int rtA", "char rtA")):
             with self.subTest(name):
                 self.assertIn(old, SOURCE)
                 now = self.told(name, SOURCE.replace(old, new))
