@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // openrt-info: what the library and the machine have, and what is in shader libraries.
+#include <link.h> // before OpenRT's: it has a constant that is called RT_ADD
+
 #include <openrt/rt.h>
 #include <openrt/rts_plugin_format.h>
-
-#include <link.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
