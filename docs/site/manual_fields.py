@@ -57,7 +57,7 @@ def source_of(functions):
     """Of a group that shares a page each interface once, with the names there."""
     names = {}
     for function in functions:
-        interface, theirs = sources()[function]
+        interface, theirs = sources().get(function, ("", ""))
         names.setdefault(interface, []).append(theirs)
     return "; ".join(interface + (": " if any(theirs) else "") + ", ".join(filter(None, theirs))
                      for interface, theirs in names.items())

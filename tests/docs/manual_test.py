@@ -35,6 +35,8 @@ def missing(text, header):
     for name, page in pages(text, header):
         seen.add(name)
         found += [f"{name}: {field}" for field, mark in FIELDS.items() if mark not in page]
+        if re.search(r"@par Source\n \* *$", page):
+            found.append(f"{name}: source; is it in compat/own_calls.csv?")
         what = re.split(r"\n \* @", page)[0]
         if len(re.sub(r"\W", "", what)) < 5:
             found.append(f"{name}: what it does")
@@ -78,6 +80,8 @@ class Manual(unittest.TestCase):
         good = begin + "/* Starts it.\n * Threads: any. Since: 0.1 */\n" + call
         self.assertEqual(missing(good, "rt_core.h"), [])
         self.assertEqual(missing(good.replace(" Since: 0.1", ""), "rt_core.h"), ["rtInit: since"])
+        self.assertEqual(missing(good.replace("rtInit", "rtOfNoTable"), "rt_core.h"),
+                         ["rtOfNoTable: source; is it in compat/own_calls.csv?"])
         self.assertEqual(of_the_future(good, "rt_core.h", "0.1.0"), [])
         self.assertEqual(of_the_future(good.replace("0.1 ", "0.2 "), "rt_core.h", "0.1.0"),
                          ["rtInit: 0.2"])
