@@ -78,8 +78,9 @@ def fuzzing():
                    [[target, thousands(total["executions"]), total["seconds"], total["faults"]]
                     for target, total in sorted(random.items())])]
     return ["## Fuzzing", "",
-            "libFuzzer with address and undefined-behaviour sanitizers; `tests/fuzz`. Runs that ended "
-            "with a fault, and what was the matter.", "",
+            "libFuzzer with address and undefined-behaviour sanitizers; `tests/fuzz`. Hours are those of "
+            "the clock; other work took most of the machine. Runs that ended with a fault, and what "
+            "was the matter.", "",
             *table(["target", "executions", "hours", "runs with a fault", "found and mended"], rows),
             *with_random]
 
