@@ -48,10 +48,22 @@ def totals_of(name):
     totals = {}
     for entry in lines_of(name):
         total = totals.setdefault(entry["target"], {"executions": 0, "seconds": 0, "faults": 0})
-        total["executions"] += entry["executions"]
+        total["executions"] += entry["executions"] or 0
         total["seconds"] += entry["seconds"]
         total["faults"] += entry["fault"] is not None
     return totals
+
+
+def random_runs(how, totals):
+    if not totals:
+        return []
+    return ["Random changes of the first inputs, run by the ordinary programs (`fuzz_NAME "
+            "--random`) "
+            f"{how}, and without looking at what code they reach:", "",
+            *table(["target", "executions", "seconds", "runs with a fault"],
+                   [[target, thousands(total["executions"]) if total["executions"] else "not told",
+                     total["seconds"], total["faults"]]
+                    for target, total in sorted(totals.items())])]
 
 
 def fuzzing():
@@ -69,14 +81,10 @@ def fuzzing():
             row = [target, NOT_RUN, "", ""]
         was_run = total or target in random or target in found
         rows.append([*row, found.get(target, "nothing") if was_run else ""])
-    with_random = []
-    if random:
-        with_random = [
-            "Random changes of the first inputs, run by the ordinary programs (`fuzz_NAME --random`) "
-            "without sanitizers and without looking at what code they reach:", "",
-            *table(["target", "executions", "seconds", "crashes"],
-                   [[target, thousands(total["executions"]), total["seconds"], total["faults"]]
-                    for target, total in sorted(random.items())])]
+    with_random = [
+        *random_runs("without sanitizers", random),
+        *random_runs("under address and undefined-behaviour sanitizers",
+                     totals_of("random_sanitized.jsonl"))]
     return ["## Fuzzing", "",
             "libFuzzer with address and undefined-behaviour sanitizers; `tests/fuzz`. Hours are those of "
             "the clock; other work took most of the machine. Runs that ended with a fault, and what "
