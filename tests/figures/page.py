@@ -175,7 +175,9 @@ def valgrind():
     if not programs:
         return [*text, f"`tests/figures/valgrind.py`: {NOT_RUN}.", ""]
     return text + table(["program", "inputs", "errors"],
-                        [[entry["program"], entry["inputs"], entry["errors"]] for entry in programs])
+                        [[entry["program"], entry["inputs"],
+                          f"{entry['errors']} {entry.get('note', '')}".rstrip()]
+                         for entry in programs])
 
 
 def packages():
