@@ -40,6 +40,28 @@ run_long() {
     long_step "model of ranks" $release/bin/openrt-bench remote --scene generated:200000
     long_step "queue of frames, its times" $release/bin/queue_figures_test times
     long_step start python3 -B tests/figures/start.py $release --json "$figures/start.json"
+    if command -v valgrind >/dev/null; then
+        long_step valgrind python3 -B tests/figures/valgrind.py $release \
+            --json "$figures/valgrind.json"
+    fi
+    if command -v lintian >/dev/null; then
+        long_step packages python3 -B tests/figures/packages.py build/package \
+            --json "$figures/packages.json"
+    else
+        echo "== packages: not judged, there is no lintian"
+    fi
+    if command -v debootstrap >/dev/null && [ "$(id -u)" -eq 0 ]; then
+        long_step "bare Debian" python3 -B tests/figures/bare.py build/bare \
+            --json "$figures/bare.json"
+    else
+        echo "== bare Debian: not run, that takes root and debootstrap"
+    fi
+    if cmake --build $release --target help | grep -q '^docs:'; then
+        long_step site cmake --build $release --target docs
+        long_step "links of the site" python3 -B tests/docs/site_links.py $release/docs/html
+    else
+        echo "== site: not made, there is no Doxygen"
+    fi
     long_step "reproducible build" python3 -B tests/figures/reproducible.py \
         --json "$figures/reproducible.json"
     long_step coverage python3 -B tests/figures/coverage.py build/coverage \

@@ -2,6 +2,7 @@
 # The Debian 12 packages that building, testing and the demo take. To be sourced.
 packages=(
     g++ cmake make ninja-build pkg-config python3 binutils # to build, and to check what was built
+    abigail-tools                                     # the binary interface against releases'
     libglm-dev libhwy-dev                             # the library
     libtinygltf-dev nlohmann-json3-dev libassimp-dev  # scenes, in the programs
     libstb-dev libpng-dev libopenexr-dev libcli11-dev # images and command lines, in the programs

@@ -74,7 +74,7 @@ openrt_package(openrt-tools graphics "programs of the OpenRT ray tracing library
 openrt_package(openrt-doc doc "real-time ray tracing - documentation"
     "Guides to OpenRT: porting OpenGL programs, shaders, textures, precision,
  performance and the library's architecture.")
-foreach(library LIBOPENRT0 LIBRTUT0)
+foreach(library LIBOPENRT0 LIBRTUT0 LIBOPENRT-MPI0)
     set(CPACK_DEBIAN_${library}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers)
 endforeach()
 set(CPACK_DEBIAN_OPENRT-DOC_PACKAGE_ARCHITECTURE all)

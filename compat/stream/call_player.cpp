@@ -15,6 +15,7 @@
 #include "compat/stream/played_arrays.h"
 #include "compat/stream/played_memory.h"
 #include "compat/stream/player_threads.h"
+#include "compat/stream/utility_objects.h"
 #include "openrt/rt.h"
 #include "openrt/rts.h"
 #include "openrt/rtu.h"
@@ -205,6 +206,8 @@ private:
         isMade_ = true;
         makeCall(call, arguments, arena, pending.result);
         isMade_ = false;
+        if (isCall(call, "rtuNewQuadric")) utilityObjects_.made(pending.result.as<RTUquadric*>());
+        if (isCall(call, "rtuNewTess")) utilityObjects_.made(pending.result.as<RTUtesselator*>());
         pending.isMade = true;
         pending.error = error_;
         if (error_ == RT_NO_ERROR) afterwards(call, arguments, targets, pending);
@@ -258,8 +261,10 @@ private:
             if (has(2)) v[2] = CallValue(functionFor(v[1].as<RTenum>()));
         } else if (isCall(call, "rtuDeleteQuadric")) {
             names_.remove(Meaning::Quadric, key(0));
+            utilityObjects_.deleted(v[0].as<RTUquadric*>());
         } else if (isCall(call, "rtuDeleteTess")) {
             names_.remove(Meaning::Tessellator, key(0));
+            utilityObjects_.deleted(v[0].as<RTUtesselator*>());
         }
     }
 
@@ -414,6 +419,7 @@ private:
     std::map<RTcontext, PictureTargets> targets_;
     std::map<uint16_t, std::vector<Pending>> pending_; ///< by thread; each during the one before
     std::set<RTcontext> heard_;
+    UtilityObjects utilityObjects_;
     RTenum error_ = RT_NO_ERROR; ///< the first of the call under way
     bool isMade_ = false;
     bool hasFailed_ = false;

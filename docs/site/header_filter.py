@@ -9,7 +9,10 @@ import pathlib
 import re
 import sys
 
+from manual_fields import missing_fields
+
 COMMENT = re.compile(r"/\*(?!\*)(.*?)\*/", re.DOTALL)
+FIELDS = re.compile(r"(?<=[\w.;)]) +(?=Threads: |Since: )")
 ERROR = re.compile(r"(\s+)(RT_[A-Z_]+)\s+(\S.*)")
 
 
@@ -29,7 +32,8 @@ def error_list(lines):
 
 def documentation(text):
     """The lines of a comment, with the fields at its end as Doxygen's commands."""
-    lines = [re.sub(r"^ ?\* ?", "", line) for line in text.strip().split("\n")]
+    lines = [part for line in text.strip().split("\n")
+             for part in FIELDS.split(re.sub(r"^ ?\* ?", "", line))]
     result, errors = [], None
     for line in lines:
         field = re.match(r"(Errors|Threads|Source|Sources|Since):\s*(.*)", line)
@@ -41,14 +45,8 @@ def documentation(text):
         elif errors is not None:
             errors.append(line)
         elif field:
-            body = field[2]
-            since = re.match(r"(.*?)\s*Since: ([0-9.]+[0-9])$", body)
-            if field[1] == "Since":
-                result.append(f"@since {body}")
-            else:
-                result += [f"@par {field[1]}", since[1] if since else body]
-                if since:
-                    result.append(f"@since {since[2]}")
+            result += ([f"@since {field[2]}"] if field[1] == "Since" else
+                       [f"@par {field[1]}", field[2]])
         else:
             result.append(line)
     if errors is not None:
@@ -60,7 +58,7 @@ def comment(lines):
     return "/** " + "\n * ".join(lines) + " */"
 
 
-def convert(source):
+def convert(source, header):
     first, *rest = source.split("*/", 1)
     body = rest[0] if rest else first
     about = COMMENT.search(body)
@@ -79,8 +77,10 @@ def convert(source):
                        and not line_start.lstrip().startswith("#e") else found[0])
         else:
             calls = re.match(r"\n((?:RTAPI [^;]*;\n)+)", body[found.end():])
-            several = calls and calls[1].count(";") > 1
-            text = comment(documentation(found[1]))
+            functions = re.findall(r"RTAPIENTRY (rt\w+)\(", calls[1]) if calls else []
+            several = len(functions) > 1
+            lines = documentation(found[1])
+            text = comment(lines + (missing_fields(header, lines, functions) if functions else []))
             if several:
                 end = found.end() + calls.end()
                 out += ["/** @{ */\n", text, body[found.end():end], "/** @} */\n"]
@@ -94,4 +94,4 @@ def convert(source):
 if __name__ == "__main__":
     path = pathlib.Path(sys.argv[1])
     text = path.read_text(encoding="utf-8")
-    sys.stdout.write(convert(text) if path.suffix in (".h", ".in") else text)
+    sys.stdout.write(convert(text, path.name) if path.suffix in (".h", ".in") else text)

@@ -7,12 +7,12 @@ that made the picture, and how long that took.
 """
 import pathlib
 import re
+import resource
 import shlex
 import subprocess
 import sys
 import tempfile
 import textwrap
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE, PICTURES = ROOT / "docs/gallery.md", ROOT / "docs/pictures/gallery"
@@ -35,16 +35,20 @@ def samples():
         size = ["--rt-size", SIZE] if source.stem.startswith("rt_") else ["-geometry", SIZE]
         yield source, [f"bin/ports/{source.stem}", *size, "--rt-offscreen", "1", "--rt-output",
                        f"{source.stem}%d.png"]
-    for source in sorted((ROOT / "samples/tour").glob("0[1-47]_*.c")):
+    for source in sorted((ROOT / "samples/tour").glob("0[1-9]_*.c*")):
         yield source, [f"bin/{source.stem}", f"{source.stem}.png"]
+    for source in sorted((ROOT / "samples/changing").glob("*.c")):
+        yield source, [f"bin/changing/{source.stem}", "--rt-size", SIZE, "--rt-offscreen", "1",
+                       "--rt-output", f"{source.stem}%d.png"]
 
 
 def picture_of(build, source, words, folder):
-    """(the picture, or None, and the seconds that it took)"""
-    started = time.monotonic()
+    """(the picture, or None, and the seconds of processor time that it took)"""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     result = subprocess.run([str(build / words[0]), *words[1:]], cwd=folder, capture_output=True,
                             timeout=120, check=False)
-    seconds = time.monotonic() - started
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     made = sorted(folder.glob(f"{source.stem}*.png"))
     if result.returncode != 0 or not made:
         print(f"{source.stem}: no picture", file=sys.stderr)
@@ -57,7 +61,8 @@ def section(source, words, seconds):
     lines = len(source.read_text(encoding="utf-8").splitlines())
     return [f"## {source.stem}", "", f"![{source.stem}](pictures/gallery/{source.stem}.png)", "",
             f"{about(source)}", "",
-            f"[{path}](../{path}), {lines} lines; the whole program ran for {seconds:.2f} s.", "",
+            f"[{path}](../{path}), {lines} lines; the whole program takes {seconds:.2f} s of "
+            "processor time.", "",
             "```sh", shlex.join(words), "```", ""]
 
 
@@ -66,8 +71,8 @@ def main():
     PICTURES.mkdir(parents=True, exist_ok=True)
     text = ["# Gallery", "",
             "The sample programs, each with its source and the command, in a build tree, that makes "
-            "the picture. Seconds are those of the two-core machine on which this page was made, by "
-            "`docs/site/make_gallery.py`; they include the start of the process and writing the "
+            "the picture. Seconds are those of all cores of the machine on which this page was made, "
+            "by `docs/site/make_gallery.py`; they include the start of the process and writing the "
             "file.", "",
             "Built-in and sample shaders have pictures in [built-in shaders](builtin-shaders.md) and "
             "[shaders](shaders.md), scenes that move in [changing scenes](changing-scenes.md).", ""]

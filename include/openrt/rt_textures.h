@@ -56,7 +56,7 @@ RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture);
  *          RT_INVALID_VALUE      size, level, border or internalFormat out of range
  *          RT_INVALID_OPERATION  a target, border, format or type that OpenGL has and this release
  *                                has not
- * Threads: the context's. Since: 0.1; levels, RT_HALF_FLOAT, sRGB of all types: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTsizei height, RTint border, RTenum format, RTenum type,
                                    const void *pixels);
@@ -77,7 +77,7 @@ RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFor
 RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
                                       RTsizei width, RTsizei height, RTenum format, RTenum type,
                                       const void *pixels);
-
+/* The same for images of one row. Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTsizei width,
                                       RTenum format, RTenum type, const void *pixels);
 
@@ -108,7 +108,7 @@ RTAPI RTboolean RTAPIENTRY rtAreTexturesResident(RTsizei n, const RTuint *textur
  *                                one value
  *          RT_INVALID_VALUE      a negative level, a number that is NaN, params NULL
  *          RT_INVALID_OPERATION  one that OpenGL has and this release has not
- * Threads: the context's. Since: 0.1; all but wrapping and RT_TEXTURE_MAG_FILTER: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexParameteri(RTenum target, RTenum pname, RTint param);
 RTAPI void RTAPIENTRY rtTexParameterf(RTenum target, RTenum pname, RTfloat param);
 RTAPI void RTAPIENTRY rtTexParameteriv(RTenum target, RTenum pname, const RTint *params);

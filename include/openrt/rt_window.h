@@ -22,21 +22,21 @@ extern "C" {
  * From the first rtClear on RT_DEPTH_TEST is off unless it was ever set: see rt_state.h.
  * Not in an object.
  * Errors:  RT_INVALID_VALUE  other bits
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClear(RTbitfield mask);
 /* 0 to 1, clamped; 1 at the start. Not in an object.
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClearDepth(RTclampd depth);
 
 /* The rectangle that RT_SCISSOR_TEST leaves to be drawn; at the start the frame buffer. Not in an
  * object.
  * Errors:  RT_INVALID_VALUE  a negative size
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtScissor(RTint x, RTint y, RTsizei width, RTsizei height);
 
 /* Window depth of the near and the far plane, clamped to 0 to 1; 0 and 1 at the start. Not in an
  * object.
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDepthRange(RTclampd near_val, RTclampd far_val);
 
 /* There is one buffer of colours, whatever its name: RT_FRONT, RT_BACK, RT_LEFT, RT_FRONT_LEFT,
@@ -44,7 +44,7 @@ RTAPI void RTAPIENTRY rtDepthRange(RTclampd near_val, RTclampd far_val);
  * object.
  * Errors:  RT_INVALID_ENUM       unknown name
  *          RT_INVALID_OPERATION  a buffer for the right eye, or an auxiliary one
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDrawBuffer(RTenum mode);
 RTAPI void RTAPIENTRY rtReadBuffer(RTenum mode);
 
@@ -64,7 +64,7 @@ RTAPI void RTAPIENTRY rtReadBuffer(RTenum mode);
  *                                not fit the format; no frame buffer and no viewport; depth of a
  *                                frame that has ended before depth was ever asked for
  *          what went wrong while it was rendered
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei height, RTenum format,
                                    RTenum type, void *pixels);
 
@@ -72,7 +72,7 @@ RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei heig
  * 0 outside of the frame buffer. Not in an object.
  * Errors:  those of rtTexImage2D, rtTexSubImage2D and rtReadPixels
  *          RT_INVALID_ENUM  a number as internal format
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum target, RTint level, RTenum internalformat, RTint x,
                                        RTint y, RTsizei width, RTint border);
 RTAPI void RTAPIENTRY rtCopyTexImage2D(RTenum target, RTint level, RTenum internalformat, RTint x,
@@ -89,7 +89,7 @@ RTAPI void RTAPIENTRY rtCopyTexSubImage2D(RTenum target, RTint level, RTint xoff
  *          RT_INVALID_VALUE      a negative size
  *          RT_INVALID_OPERATION  RT_DEPTH and RT_STENCIL
  *          what went wrong while it was rendered
- * Threads: the context's. Since: 0.2 */
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtCopyPixels(RTint x, RTint y, RTsizei width, RTsizei height, RTenum type);
 
 #ifdef __cplusplus

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // openrt-info: what the library and the machine have, and what is in shader libraries.
+#include <link.h> // before OpenRT's: it has a constant that is called RT_ADD
+
 #include <openrt/rt.h>
 #include <openrt/rts_plugin_format.h>
 
@@ -9,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -131,15 +134,45 @@ bool checkPackets(const std::string& file) {
     return good;
 }
 
+std::size_t threadsOfProcess() {
+    std::error_code failed;
+    const std::filesystem::directory_iterator threads("/proc/self/task", failed), end;
+    return failed ? 0 : std::size_t(std::distance(threads, end));
+}
+
+/// How many threads the first frame starts; 0 where the system does not tell.
+std::size_t threadsThatRender() {
+    const std::size_t before = threadsOfProcess();
+    RTubyte pixel[4];
+    rtSetFrameBuffer(pixel, 1, 1, RT_RGBA_8);
+    rtRender();
+    return threadsOfProcess() - before;
+}
+
+/// The shared libraries of the process, which are those of the library and this program.
+void printLinkedLibraries() {
+    const auto print = [](dl_phdr_info* object, std::size_t, void*) {
+        if (std::strchr(object->dlpi_name, '/')) std::cout << "  " << object->dlpi_name << '\n';
+        return 0;
+    };
+    dl_iterate_phdr(print, nullptr);
+}
+
 void printLibrary() {
-    std::cout << "OpenRT " << OPENRT_VERSION_STRING << ", shader interface " << RTS_INTERFACE_VERSION
-              << '.' << RTS_INTERFACE_REVISION << '\n'
+    const std::string version = text(RT_VERSION); // OpenGL's comes first
+    std::cout << version.substr(version.find("OpenRT")) << ", this program "
+              << OPENRT_VERSION_STRING << ", shader interface " << RTS_INTERFACE_VERSION << '.' << RTS_INTERFACE_REVISION
+              << '\n'
               << "instruction set: " << text(RT_ISA) << " (available: " << text(RT_ISA_NAMES)
               << ")\n"
               << "cores: " << std::thread::hardware_concurrency();
+    if (const std::size_t threads = threadsThatRender())
+        std::cout << ", threads that render: " << threads;
     if (const char* const threads = std::getenv("OPENRT_THREADS"))
         std::cout << ", OPENRT_THREADS=" << threads;
-    std::cout << "\nshader folders:\n";
+    std::cout << "\nlinked libraries:\n";
+    printLinkedLibraries();
+    std::cout << "shader folders:\n";
     for (const std::string& folder : split(text(RT_SHADER_FOLDERS), ':'))
         std::cout << "  " << folder << '\n';
     std::cout << "built-in classes:\n";

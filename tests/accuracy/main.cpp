@@ -10,12 +10,13 @@
 #include <thread>
 
 #include "libsmart/kernel/kernels.h"
+#include "openrt/version.h"
 #include "tests/accuracy/accuracy_report.h"
 
 namespace smart::test {
 namespace {
 
-constexpr int kExitError = 1, kExitBroken = 3;
+constexpr int kExitError = 1, kExitUsage = 2, kExitBroken = 3;
 
 struct Options {
     RunSize size;
@@ -145,7 +146,10 @@ int main(int argc, char** argv) {
     smart::test::Options options;
     CLI::App app(
         "Judges engines by exact arithmetic in the hard cases H1 to H12, and measures what "
-        "each mode costs. Exit code 3: a mode of the library broke a promise.");
+        "each mode costs. Exit codes: 1 error, 2 wrong options, 3 a mode of the library broke a "
+        "promise.",
+        "openrt-accuracy");
+    app.set_version_flag("--version", "openrt-accuracy " OPENRT_VERSION_STRING);
     auto& size = options.size;
     size.threads = std::max(1u, std::thread::hardware_concurrency());
     app.add_option("--rays", size.rays, "rays of the largest cases; others get their share")
@@ -178,7 +182,11 @@ int main(int argc, char** argv) {
     app.add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
     app.add_option("--json", options.json, "write the figures to this file");
     app.add_flag("--table", options.table, "print the figures");
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : smart::test::kExitUsage;
+    }
     try {
         return smart::test::run(options);
     } catch (const std::exception& error) {

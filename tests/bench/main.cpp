@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "openrt/version.h"
 #include "tests/bench/command.h"
 
 namespace smart::bench {
@@ -28,7 +29,9 @@ constexpr Command kCommands[] = {
 
 int runCommand(int argc, char** argv) {
     CLI::App app("Measures OpenRT. Exit codes: 1 error, 2 wrong options, 3 answers were wrong and "
-                 "their speeds refused.");
+                 "their speeds refused.",
+                 "openrt-bench");
+    app.set_version_flag("--version", "openrt-bench " OPENRT_VERSION_STRING);
     app.require_subcommand(1);
     std::vector<std::pair<CLI::App*, Run>> commands;
     for (const Command& command : kCommands) {

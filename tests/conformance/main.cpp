@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "openrt/version.h"
 #include "tests/conformance/conformance_case.h"
 #include "tests/conformance/frame_times.h"
 #include "tests/conformance/report.h"
@@ -13,6 +14,8 @@
 namespace {
 
 using namespace conformance;
+
+constexpr int kFailed = 1, kWrongCommandLine = 2, kNothingCompared = 3;
 
 // A folder of its own for the pictures, removed at the end.
 class TemporaryFolder {
@@ -73,7 +76,11 @@ int run(int argc, char** argv) {
     settings.openRtPrograms = OPENRT_CONFORMANCE_RT;
     std::string json, html, prefix;
     bool list = false, failFast = false, times = false;
-    CLI::App app("Compares a libOpenRT.so with OpenGL, as OSMesa renders it.");
+    CLI::App app("Compares a libOpenRT.so with OpenGL, as OSMesa renders it. The exit status is 1 if "
+                 "a case did not pass, 2 for a wrong command line, 3 if there was nothing to "
+                 "compare.",
+                 "openrt-conformance");
+    app.set_version_flag("--version", "openrt-conformance " OPENRT_VERSION_STRING);
     app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
         ->check(CLI::ExistingFile);
     app.add_option("--json", json, "file for the results");
@@ -91,7 +98,11 @@ int run(int argc, char** argv) {
     app.add_flag("--fail-fast", failFast, "end after the first case that fails");
     app.add_option("--seconds", settings.seconds, "that one program may take")
         ->check(CLI::PositiveNumber);
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kWrongCommandLine;
+    }
     if (!settings.library.empty()) settings.library = std::filesystem::canonical(settings.library);
 
     if (!settings.openGlPictures.empty())
@@ -104,7 +115,7 @@ int run(int argc, char** argv) {
         settings.work = html;
         settings.keepPictures = true;
     }
-    if (times) return measureFrameTimes(settings, prefix).empty() ? 1 : 0;
+    if (times) return measureFrameTimes(settings, prefix).empty() ? kFailed : 0;
     const std::vector<Case> cases = casesWith(prefix, settings);
     if (list) {
         for (const Case& one : cases) std::printf("%s\n", one.name.c_str());
@@ -119,7 +130,7 @@ int run(int argc, char** argv) {
         if (!file) throw std::runtime_error(json + ": not written");
     }
     if (!html.empty()) writeHtmlReport(html, library, results);
-    return allPassed(results) ? 0 : 1;
+    return allPassed(results) ? 0 : kFailed;
 }
 
 } // namespace
@@ -129,6 +140,6 @@ int main(int argc, char** argv) {
         return run(argc, argv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "openrt-conformance: %s\n", error.what());
-        return 2;
+        return kNothingCompared;
     }
 }

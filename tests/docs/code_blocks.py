@@ -94,6 +94,8 @@ BLOCKS = {
             "openrt-conformance --times": "measures on a machine without other work"}),
     },
     "docs/gallery.md": {"bin/": Commands({"320x240": "32x24"})},
+    "docs/compatibility.md": {"python3 -B tests/project/interface_kept.py": NotRun(
+        "writes files of the project, which project.interface_kept and binary_interface compare with")},
     "docs/getting-started.md": {
         "./demo ": NotRun("./demo installs packages; consumer.installed_tree installs and uses"),
         "#include <openrt/rt.h>": Elsewhere("docs.getting_started"),

@@ -71,6 +71,35 @@ class Pages(unittest.TestCase):
         self.assertEqual([name for name in sorted(names) if not program(name)], [])
 
 
+def samples_without_a_place(gallery):
+    """Sample programs that the gallery does not show with picture, source and command."""
+    sources = [path for folder in ("ports", "tour", "changing")
+               for path in sorted((ROOT / "samples" / folder).glob("*.c*"))
+               if path.suffix in (".c", ".cpp")]
+    found = []
+    for path in sources:
+        section = re.search(rf"^## {path.stem}\n(.*?)(?=^## |\Z)", gallery,
+                            re.DOTALL | re.MULTILINE)
+        shown = section and f"({path.stem}.png)" in section[1].replace("pictures/gallery/", "")
+        if not shown or f"(../{path.relative_to(ROOT)})" not in section[1] or \
+                "```sh\nbin/" not in section[1]:
+            found.append(path.stem)
+    return found
+
+
+class Gallery(unittest.TestCase):
+    def test_every_sample(self):
+        text = (ROOT / "docs/gallery.md").read_text(encoding="utf-8")
+        self.assertEqual(samples_without_a_place(text), [])
+
+    def test_control(self):
+        text = (ROOT / "docs/gallery.md").read_text(encoding="utf-8")
+        self.assertEqual(samples_without_a_place(text.replace("## gears\n", "## wheels\n")),
+                         ["gears"])
+        self.assertEqual(samples_without_a_place(text.replace("gears.png", "nothing.png")),
+                         ["gears"])
+
+
 class FirstPage(unittest.TestCase):
     """The commands of README.md, in a folder that looks like a checkout with a scene in it."""
 

@@ -48,10 +48,22 @@ def totals_of(name):
     totals = {}
     for entry in lines_of(name):
         total = totals.setdefault(entry["target"], {"executions": 0, "seconds": 0, "faults": 0})
-        total["executions"] += entry["executions"]
+        total["executions"] += entry["executions"] or 0
         total["seconds"] += entry["seconds"]
         total["faults"] += entry["fault"] is not None
     return totals
+
+
+def random_runs(how, totals):
+    if not totals:
+        return []
+    return ["Random changes of the first inputs, run by the ordinary programs (`fuzz_NAME "
+            "--random`) "
+            f"{how}, and without looking at what code they reach:", "",
+            *table(["target", "executions", "seconds", "runs with a fault"],
+                   [[target, thousands(total["executions"]) if total["executions"] else "not told",
+                     total["seconds"], total["faults"]]
+                    for target, total in sorted(totals.items())])]
 
 
 def fuzzing():
@@ -69,17 +81,14 @@ def fuzzing():
             row = [target, NOT_RUN, "", ""]
         was_run = total or target in random or target in found
         rows.append([*row, found.get(target, "nothing") if was_run else ""])
-    with_random = []
-    if random:
-        with_random = [
-            "Random changes of the first inputs, run by the ordinary programs (`fuzz_NAME --random`) "
-            "without sanitizers and without looking at what code they reach:", "",
-            *table(["target", "executions", "seconds", "crashes"],
-                   [[target, thousands(total["executions"]), total["seconds"], total["faults"]]
-                    for target, total in sorted(random.items())])]
+    with_random = [
+        *random_runs("without sanitizers", random),
+        *random_runs("under address and undefined-behaviour sanitizers",
+                     totals_of("random_sanitized.jsonl"))]
     return ["## Fuzzing", "",
-            "libFuzzer with address and undefined-behaviour sanitizers; `tests/fuzz`. Runs that ended "
-            "with a fault, and what was the matter.", "",
+            "libFuzzer with address and undefined-behaviour sanitizers; `tests/fuzz`. Hours are those of "
+            "the clock; other work took most of the machine. Runs that ended with a fault, and what "
+            "was the matter.", "",
             *table(["target", "executions", "hours", "runs with a fault", "found and mended"], rows),
             *with_random]
 
@@ -158,18 +167,53 @@ def suites():
             "and closed twenty times, and twice in one process.", ""]
 
 
+def valgrind():
+    programs = read("valgrind.json")
+    text = ["## Valgrind", "",
+            "memcheck, with AVX2, over the fuzz targets' first inputs and the program of one "
+            "triangle: wrong accesses, values that were never set, memory that is lost.", ""]
+    if not programs:
+        return [*text, f"`tests/figures/valgrind.py`: {NOT_RUN}.", ""]
+    return text + table(["program", "inputs", "errors"],
+                        [[entry["program"], entry["inputs"],
+                          f"{entry['errors']} {entry.get('note', '')}".rstrip()]
+                         for entry in programs])
+
+
+def packages():
+    made = read("packages.json")
+    text = ["## Packages", "",
+            "Debian packages by CPack, judged by lintian; `tests/figures/packages.py`.", ""]
+    if not made:
+        return [*text, f"lintian: {NOT_RUN}.", ""]
+    return text + table(["package", "size", "errors", "warnings"],
+                        [[entry["package"], f"{entry['bytes'] / 1e6:.2f} MB",
+                          ", ".join(entry["errors"]) or "none",
+                          ", ".join(entry["warnings"]) or "none"] for entry in made])
+
+
+def bare_machine():
+    bare = read("bare.json")
+    if not bare:
+        return NOT_RUN
+    steps = [bare[name] for name in ("packages", "demo")]
+    minutes, work = (sum(step[key] for step in steps) for key in ("minutes", "core_minutes"))
+    return (f"{minutes:.1f} minutes, {bare['packages']['minutes']} of them for packages; "
+            f"{work:.1f} minutes of one core. {bare.get('note', '')}").rstrip()
+
+
 def sizes():
-    start, coverage, bare = read("start.json"), read("coverage.json"), read("bare.json")
+    start, coverage = read("start.json"), read("coverage.json")
     rows = [["stripped `libOpenRT.so`",
              f"{start['library_bytes'] / 1e6:.2f} MB" if start else NOT_RUN],
             ["a C program that renders one triangle of 64 x 64 pixels, start to end",
              f"{start['one_triangle_ms']['median']} ms (`/bin/true`: "
              f"{start['true_ms']['median']} ms)" if start else NOT_RUN],
-            ["from a bare Debian 12 to the first picture, by `./demo`",
-             f"{bare['minutes']} minutes ({bare['machine']})" if bare else NOT_RUN]]
+            ["from a bare Debian 12 to the first picture, by `./demo`", bare_machine()]]
     twice = read("reproducible.json")
+    told = NOT_RUN if not twice else "equal" if twice["equal"] else "different"
     rows.append(["two builds of the library in different folders",
-                 NOT_RUN if not twice else "equal" if twice["equal"] else "different"])
+                 f"{told}. {twice['note']}" if twice and "note" in twice else told])
     if coverage:
         share = 100 * coverage["covered"] / coverage["lines"]
         which = f", by the tests `{coverage['tests']}` only" if "tests" in coverage else ""
@@ -182,6 +226,9 @@ def sizes():
         text += table(["folder", "lines", "covered"],
                       [[name, thousands(f["lines"]), f"{100 * f['covered'] / f['lines']:.1f} %"]
                        for name, f in coverage["folders"].items()])
+        text += ["Least covered:", "",
+                 *table(["file", "covered"], [[f"`{f['source']}`", f"{100 * f['share']:.0f} %"]
+                                              for f in coverage["least"]])]
     return text
 
 
@@ -193,7 +240,7 @@ def page():
         "What was done to make the library fail, how often, and what came of it. `./check --long` "
         "makes all of these runs; `tests/figures/page.py` made this page of their results, which are "
         "in `docs/figures/results`. What has no result says so." + when, "",
-        *fuzzing(), *memory(), *calls(), *suites(), *sizes()]
+        *fuzzing(), *memory(), *calls(), *suites(), *valgrind(), *packages(), *sizes()]
     wrapped = (line if line.startswith("|") else textwrap.fill(line, 100, break_on_hyphens=False,
                                                                break_long_words=False)
                for line in lines)

@@ -47,6 +47,7 @@ PROGRAMS = {
     "utilities": "rtuSphere rtuCylinder rtuDisk rtuPartialDisk rtuTessBeginPolygon "
                  "rtuTessBeginContour rtuTessVertex rtuTessVertex rtuTessVertex rtuTessEndContour "
                  "rtuTessEndPolygon rtuCameraFromWall rtRender",
+    "objects": "rtuNewQuadric rtuNewTess rtuNewTess rtuDeleteTess rtRender",  # two are left
     "selection": "rtSelectBuffer rtRenderMode rtInitNames rtPushName rtLoadName rtBegin rtVertex3f "
                  "rtVertex3f rtVertex3f rtEnd rtPopName rtRenderMode rtFeedbackBuffer rtPassThrough",
     "contexts": "rtCreateContext rtMakeCurrent rtDestroyContext rtInit rtBegin rtExit rtInit "

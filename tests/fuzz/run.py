@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import time
@@ -54,10 +55,13 @@ def run(build, target, seconds):
     environment = dict(os.environ)
     environment.setdefault("ASAN_OPTIONS", "allocator_may_return_null=1:detect_leaks=1")
     environment.setdefault("UBSAN_OPTIONS", "print_stacktrace=1")
-    started = time.monotonic()
+    before, started = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     result = subprocess.run(command(build, target, seconds), capture_output=True,
                             errors="replace", env=environment, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
     entry = {"target": target, "seconds": round(time.monotonic() - started),
+             "core_seconds": round(after.ru_utime + after.ru_stime - before.ru_utime -
+                                   before.ru_stime),
              "executions": number(result.stderr, r"stat::number_of_executed_units:\s*(\d+)")
              or number(result.stderr, r"#(\d+)"),
              "edges": number(result.stderr, r"cov: (\d+)"),

@@ -4,6 +4,7 @@
 usage: openrt_info.py PROGRAM FOLDER_OF_TEST_PLUGINS
 """
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -25,9 +26,14 @@ class OpenrtInfo(unittest.TestCase):
         for words in ("OpenRT ", "shader interface 1.", "instruction set: ", "OPENRT_THREADS=3",
                       f"  {PLUGINS}\n", "  Phong: surface, shades packets\n",
                       "    shininess: float, per shader\n", "  Pinhole: camera\n",
+                      "threads that render: 3", "linked libraries:\n  /",
                       f"{PLUGINS}/kinds.so:\n", "    heat: float, per vertex\n",
                       "    gain: float, per triangle\n"):
             self.assertIn(words, out)
+        self.assertRegex(out, r"^OpenRT (\d+\.\d+\.\d+), this program \1,")
+        self.assertRegex(out, r"\n  /\S*/libOpenRT\.so\.0\n")
+        self.assertEqual(re.findall(r"threads that render: \d+", run(OPENRT_THREADS="1")[1]),
+                         ["threads that render: 1"])
         self.assertIn("fault_Version.so: is made for version 77", err)
 
     def test_files(self):

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""What the page of a function says where the header says it once for all its functions: errors,
+threads, since when, and what the function comes from."""
+import csv
+import functools
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Tables of the functions of other interfaces: the prefix here, there, and the interface's name.
+TABLES = {"glut_calls.csv": ("rtut", "glut", "GLUT"), "glu_calls.csv": ("rtu", "glu", "GLU"),
+          "gl_calls.csv": ("rt", "gl", "OpenGL")}
+NO_ERRORS = "None but those that every call can record: see the rules in openrt/rt.h."
+REFUSED = "Declared so that programs compile; not carried out in this release."
+COMMON = {
+    "rt_fixed.h": {
+        "Errors of all fixed-function calls":
+                  "RT_INVALID_ENUM: a token that OpenGL does not know there, or a call with one value "
+                  "for what takes several. RT_INVALID_VALUE: a number out of OpenGL's range or not a "
+                  "number, NULL. RT_INVALID_OPERATION: between rtBegin and rtEnd, or, but for "
+                  "materials and current values, in an object."},
+    "rt_frame.h": {"Threads": "the context's."},
+    "rt_gl.h": {
+        "What": REFUSED,
+        "Errors": "RT_INVALID_OPERATION, always, with a text that names the function; nothing "
+                  "changes, and 0, NULL or RT_FALSE is returned.",
+        "Threads": "the context's.", "Since": "0.1"},
+    "rt_query.h": {"Threads": "any, with any context or none."},
+    "rt_shaders.h": {"Threads": "the context's."},
+    "rtu.h": {
+        "Errors": "None but what GLU reports, and RT_INVALID_VALUE for an object that is NULL: see "
+                  "the rules in openrt/rtu.h.",
+        "Threads": "the context's for calls that draw or set matrices or cameras, any for all "
+                   "others; one object is used by one thread at a time."},
+    "rtut.h": {
+        "Errors": "A wrong argument has no effect but a message, which rtutGetErrorText gives.",
+        "Threads": "the one that called rtutInit."},
+}
+
+
+@functools.cache
+def sources():
+    """{function: (the interface it comes from, its name there or "")}"""
+    found = {}
+    for name, (prefix, theirs, interface) in TABLES.items():
+        with open(ROOT / "compat" / name, encoding="utf-8", newline="") as file:
+            for row in csv.DictReader(file):
+                found[row["name"]] = (f"{interface} {row['version']}",
+                                      theirs + row["name"][len(prefix):])
+    with open(ROOT / "compat/own_calls.csv", encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            interface, _, theirs = row["source"].partition(": ")
+            found[row["name"]] = (interface, theirs)
+    return found
+
+
+def source_of(functions):
+    """Of a group that shares a page each interface once, with the names there."""
+    names = {}
+    for function in functions:
+        interface, theirs = sources().get(function, ("", ""))
+        names.setdefault(interface, []).append(theirs)
+    return "; ".join(interface + (": " if any(theirs) else "") + ", ".join(filter(None, theirs))
+                     for interface, theirs in names.items())
+
+
+def missing_fields(header, lines, functions):
+    """Lines for what the documentation of functions does not say itself."""
+    text = "\n".join(lines)
+    common = COMMON.get(header, {})
+    added = [common["What"]] if "What" in common else []
+    own = "@par Errors" in text
+    for title in (field for field in common if field.startswith("Errors")):
+        if title != "Errors" or not own:
+            added += [f"@par {title}", common[title]]
+            own = True
+    if not own:
+        added += ["@par Errors", NO_ERRORS]
+    if "@par Threads" not in text and "Threads" in common:
+        added += ["@par Threads", common["Threads"]]
+    if "@since" not in text and "Since" in common:
+        added.append(f"@since {common['Since']}")
+    return added + ["@par Source", source_of(functions)]

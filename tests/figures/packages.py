@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Makes the Debian packages and asks lintian about them.
+
+    packages.py BUILD [--json FILE]
+
+Configures BUILD as the preset `package` does, builds it, and runs cpack. Exit status 1 if lintian
+finds an error, or a package is missing.
+"""
+import argparse
+import collections
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXPECTED = {"libopenrt0", "libopenrt-dev", "openrt-tools", "openrt-doc"}
+
+
+def preset():
+    """-D of the preset `package`, without those that only name compilers."""
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+    found = {}
+    named = {entry["name"]: entry for entry in presets["configurePresets"]}
+    for name in ("base", "release", "package"):
+        found.update(named[name].get("cacheVariables", {}))
+    return [f"-D{name}={value}" for name, value in found.items()]
+
+
+def make(build):
+    launchers = [f"-D{name}={os.environ[name]}" for name in
+                 ("CMAKE_C_COMPILER_LAUNCHER", "CMAKE_CXX_COMPILER_LAUNCHER") if name in os.environ]
+    subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *preset(), *launchers],
+                   check=True)
+    for old in build.glob("*.deb"):
+        old.unlink()
+    subprocess.run(["cmake", "--build", build], check=True)
+    subprocess.run(["cpack"], cwd=build, check=True)
+    return sorted(build.glob("*.deb"))
+
+
+def findings(package):
+    """{severity: [tag]} of lintian, E: and W: lines."""
+    result = subprocess.run(["lintian", "--allow-root", "--no-cfg", package], capture_output=True,
+                            text=True, check=False)
+    found = collections.defaultdict(list)
+    for severity, tag in re.findall(r"^([EW]): \S+: (\S+)", result.stdout, re.MULTILINE):
+        found[severity].append(tag)
+    print(result.stdout + result.stderr, end="")
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--json", type=pathlib.Path)
+    arguments = parser.parse_args()
+    if not shutil.which("lintian"):
+        print("lintian is not installed: the packages are not judged")
+        return 1
+    packages = []
+    for path in make(arguments.build.resolve()):
+        found = findings(path)
+        packages.append({"package": path.name.split("_")[0], "bytes": path.stat().st_size,
+                         "errors": sorted(set(found["E"])), "warnings": sorted(set(found["W"]))})
+        print(json.dumps(packages[-1]))
+    if arguments.json:
+        arguments.json.write_text(json.dumps(packages, indent=1) + "\n", encoding="utf-8")
+    missing = EXPECTED - {entry["package"] for entry in packages}
+    if missing:
+        print(f"no package {', '.join(sorted(missing))}")
+    return 1 if missing or any(entry["errors"] for entry in packages) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
