@@ -2,6 +2,7 @@
 #include "libsmart/render/fixed_function_shader.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -34,21 +35,56 @@ FixedFunctionShader::Known& FixedFunctionShader::find(const Hit& hit, const Fixe
     const FixedViewer& before = known.triangle.viewer();
     if (!isNew && before.position == viewer.position && before.alwaysLocal == viewer.alwaysLocal)
         return known;
-    known.triangle = FixedTriangle(resolve(*frame_.scene, hit.path, hit.levels, hit.triangle),
-                                   viewer);
+    // What is the same for all triangles of a model is found once.
+    if (!way_ || way_->chain.levels != hit.levels ||
+        !std::equal(hit.path, hit.path + hit.levels, path_)) {
+        way_.emplace(resolve(*frame_.scene, hit.path, hit.levels, hit.triangle));
+        std::copy_n(hit.path, hit.levels, path_);
+    }
+    known.triangle.set(*way_, hit.triangle, viewer);
     known.hasScreen = known.hasTexture = false;
     return known;
 }
 
-glm::vec4 FixedFunctionShader::shadeAlone(const Ray& ray, const Hit& hit) {
-    Known& known = find(hit, {});
+glm::vec4 FixedFunctionShader::colorAlone(Known& known, const glm::dvec3& weights, bool back,
+                                          const FixedArrival& arrival) const {
     const FixedState& fixed = known.triangle.state();
-    const bool back = hasSides(fixed) && showsBackOnScreen(known, ray.dir);
-    const glm::dvec3 weights = cornerWeights(hit.u, hit.v);
-    const LitVertex fragment = known.triangle.at(weights, back);
+    const LitVertex fragment = known.triangle.at(weights, back, arrival);
     const Texels texels =
         asksForTexels(fixed) ? texelsToNeighbours(known, weights, back) : Texels{};
     return fogged(fixed.fog, colorOf(fixed, fragment, texels), fragment.fogDistance);
+}
+
+glm::vec4 FixedFunctionShader::shadeAlone(const Ray& ray, const Hit& hit,
+                                          const FixedArrival& arrival) {
+    Known& known = find(hit, {});
+    const bool back = hasSides(known.triangle.state()) && showsBackOnScreen(known, ray.dir);
+    return colorAlone(known, cornerWeights(hit.u, hit.v), back, arrival);
+}
+
+void FixedFunctionShader::shadeAlone(const RayGroup& rays, uint32_t lanes,
+                                     const uint32_t (&hidden)[kPacketSize],
+                                     glm::vec4 (&colors)[kPacketSize]) {
+    Known& known = find(rays.hit(std::countr_zero(lanes)), {});
+    const bool sides = hasSides(known.triangle.state());
+    const bool onlyPrimary = known.triangle.onlyPrimary();
+    forEach(lanes, [&](int i) {
+        const bool back = sides && showsBackOnScreen(known, rays.ray(i).dir);
+        const glm::dvec3 weights = cornerWeights(rays.hits.u[i], rays.hits.v[i]);
+        colors[i] = onlyPrimary ? known.triangle.primaryAt(weights, back, hidden[i])
+                                : colorAlone(known, weights, back, {hidden[i]});
+    });
+}
+
+void FixedFunctionShader::findLights(const RayGroup& rays, uint32_t lanes,
+                                     uint32_t (&lights)[kPacketSize]) {
+    Known& known = find(rays.hit(std::countr_zero(lanes)), {});
+    const bool sides = hasSides(known.triangle.state());
+    forEach(lanes, [&](int i) {
+        const bool back = sides && showsBackOnScreen(known, rays.ray(i).dir);
+        lights[i] =
+            known.triangle.lightsAt(cornerWeights(rays.hits.u[i], rays.hits.v[i]), back);
+    });
 }
 
 glm::vec4 FixedFunctionShader::shade(PointState& point, const Hit& hit) {
@@ -67,11 +103,12 @@ glm::vec4 FixedFunctionShader::shade(PointState& point, const Hit& hit) {
         texels = fromCamera ? texelsToNeighbours(*known, weights, back)
                             : texelsInCone(*known, state, back);
     LitVertex fragment = known->triangle.at(weights, back);
-    if (fixed.lighting.enabled && fixed.lighting.shadows && point.start.mayTrace) {
-        glm::vec3 visibility[kFixedLights];
-        if (findVisibility(point, fragment.lightsIn, visibility)) {
+    if (asksForShadows(fixed) && point.start.mayTrace) {
+        glm::vec3 shares[kFixedLights];
+        const FixedArrival arrival = findArrival(point, fragment.lightsIn, shares);
+        if (arrival.hidden != 0 || arrival.shares) {
             known = &find(hit, viewer); // shadow rays may have met others
-            fragment = known->triangle.at(weights, back, visibility);
+            fragment = known->triangle.at(weights, back, arrival);
         }
     }
     if (!fromCamera && !fixed.fog.fromCoordinate) fragment.fogDistance = state.rayDistance;
@@ -212,29 +249,22 @@ FixedFunctionShader::Texels FixedFunctionShader::texelsInCone(Known& known,
     return texels;
 }
 
-bool FixedFunctionShader::findVisibility(PointState& point, uint32_t lights,
-                                         glm::vec3 (&visibility)[kFixedLights]) const {
+FixedArrival FixedFunctionShader::findArrival(PointState& point, uint32_t lights,
+                                              glm::vec3 (&shares)[kFixedLights]) const {
     RTSstate& state = point.state;
     const FixedLighting& lighting = point.chain.instances[0]->traits->state->lighting;
-    bool hidden = false;
+    const glm::dvec3 position(state.position[0], state.position[1], state.position[2]);
+    FixedArrival arrival;
     for (int i = 0; i < kFixedLights; ++i) {
-        visibility[i] = glm::vec3(1.0f);
+        shares[i] = glm::vec3(1.0f);
         if (!(lights >> i & 1u)) continue;
-        const glm::vec4& place = lighting.lights[i].position;
-        glm::dvec3 towards{glm::vec3(place)};
-        float distance = std::numeric_limits<float>::infinity();
-        if (place.w != 0.0f) {
-            towards = towards / double(place.w) -
-                      glm::dvec3(state.position[0], state.position[1], state.position[2]);
-            distance = float(std::sqrt(glm::dot(towards, towards)));
-        }
-        const float direction[3] = {float(towards.x), float(towards.y), float(towards.z)};
-        float left[3];
+        float direction[3], left[3];
+        const float distance = ToLight(lighting.lights[i]).from(position, direction);
         if (!state.functions->shadow(&state, state.position, direction, distance, left)) continue;
-        visibility[i] = {left[0], left[1], left[2]};
-        hidden |= visibility[i] != glm::vec3(1.0f);
+        shares[i] = {left[0], left[1], left[2]};
+        arrival.add(i, shares);
     }
-    return hidden;
+    return arrival;
 }
 
 glm::vec4 FixedFunctionShader::reflected(PointState& point, const glm::vec4& color,

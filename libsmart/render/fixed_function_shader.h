@@ -2,11 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "libsmart/render/frame.h"
+#include "libsmart/render/ray_group.h"
 #include "libsmart/render/thread_loan.h"
 #include "libsmart/render/way_cache.h"
 #include "libsmart/shading/fixed_triangle.h"
@@ -28,11 +32,40 @@ public:
     /// Whether the colour of what a camera ray hits depends on the hit alone: the layer's camera is
     /// the projection matrix, and no rays go on.
     bool dependsOnHitAlone(const FixedState& state) const {
-        return !frame_.camera && !state.lighting.reflections &&
-               !(state.lighting.enabled && state.lighting.shadows);
+        return dependsOnLight(state) && !asksForShadows(state);
+    }
+    /// The same but for what arrives of the lights.
+    bool dependsOnLight(const FixedState& state) const {
+        return !frame_.camera && !state.lighting.reflections;
+    }
+    static bool asksForShadows(const FixedState& state) {
+        return state.lighting.enabled && state.lighting.shadows;
     }
     /// That colour.
-    glm::vec4 shadeAlone(const Ray& ray, const Hit& hit);
+    glm::vec4 shadeAlone(const Ray& ray, const Hit& hit, const FixedArrival& arrival = {});
+    /// The same for lanes that hit one triangle on one way. hidden: by lane, as FixedArrival's.
+    void shadeAlone(const RayGroup& rays, uint32_t lanes, const uint32_t (&hidden)[kPacketSize],
+                    glm::vec4 (&colors)[kPacketSize]);
+    /// The lights that add something to such a colour, were they seen: bit i for light i, by lane.
+    void findLights(const RayGroup& rays, uint32_t lanes, uint32_t (&lights)[kPacketSize]);
+
+    /// The way from a point to a light.
+    struct ToLight {
+        glm::dvec3 place; ///< of the light, or its direction
+        bool isPlace;
+
+        explicit ToLight(const FixedLight& light)
+            : place(glm::vec3(light.position)), isPlace(light.position.w != 0.0f) {
+            if (isPlace) place = place / double(light.position.w);
+        }
+        /// Returns the distance.
+        float from(const glm::dvec3& point, float (&direction)[3]) const {
+            const glm::dvec3 towards = isPlace ? place - point : place;
+            for (int k = 0; k < 3; ++k) direction[k] = float(towards[k]);
+            return isPlace ? float(std::sqrt(glm::dot(towards, towards)))
+                           : std::numeric_limits<float>::infinity();
+        }
+    };
 
 private:
     /// A triangle in the window of a layer whose camera is the projection matrix: homogeneous,
@@ -70,15 +103,19 @@ private:
                             const glm::dvec2& size) const;
     /// The same by the ray's cone.
     static Texels texelsInCone(Known& known, const RTSstate& state, bool back);
+    glm::vec4 colorAlone(Known& known, const glm::dvec3& weights, bool back,
+                         const FixedArrival& arrival) const;
     static glm::vec4 colorOf(const FixedState& state, const LitVertex& fragment,
                              const Texels& texels);
-    /// Shares of the lights that arrive at the point; false: all do.
-    bool findVisibility(PointState& point, uint32_t lights,
-                        glm::vec3 (&visibility)[kFixedLights]) const;
+    /// What of these lights arrives at the point.
+    FixedArrival findArrival(PointState& point, uint32_t lights,
+                             glm::vec3 (&shares)[kFixedLights]) const;
     glm::vec4 reflected(PointState& point, const glm::vec4& color, float share) const;
 
     const Frame& frame_;
     std::optional<ThreadLoan<WayCache<Known>>> known_; ///< from the first hit on
+    std::optional<FixedWay> way_;                      ///< of the triangle that was last new
+    uint32_t path_[kMaxLevels];                        ///< of that
 };
 
 } // namespace smart

@@ -38,19 +38,13 @@ void RayServices::describe(const Hit& hit, ShadedSample& found) const {
     }
 }
 
-void RayServices::shadeFixed(const RayGroup& rays, uint32_t lanes,
-                             glm::vec4 (&colors)[kPacketSize], ShadedSample* found) {
+void RayServices::shadeFixedPoints(const HitGroup& group, uint32_t lanes) {
+    const RayGroup& rays = *group.rays;
     PointState point;
     std::optional<SurfaceTriangle> triangle; // of the lane before: neighbours often share it
     std::optional<Hit> last;
-    const bool mayBeAlone = rays.depth == 0 && !(found && frame_.target.aux.normal);
     forEach(lanes, [&](int i) {
         const Hit hit = rays.hit(i);
-        if (mayBeAlone && fixed_.dependsOnHitAlone(*stateOf(hit))) {
-            colors[i] = fixed_.shadeAlone(rays.ray(i), hit);
-            if (found) describe(hit, found[i]);
-            return;
-        }
         const bool sameWay = last && last->levels == hit.levels &&
                              std::equal(hit.path, hit.path + hit.levels, last->path);
         if (!sameWay)
@@ -60,8 +54,8 @@ void RayServices::shadeFixed(const RayGroup& rays, uint32_t lanes,
         if (!sameWay || hit.triangle != last->triangle) triangle.emplace(point.chain);
         last = hit;
         placeAt(rays.ray(i), hit, rays.path(i), *triangle, point);
-        if (found) found[i].describe(hit, point.state);
-        colors[i] = fixed_.shade(point, hit);
+        if (group.found) group.found[i].describe(hit, point.state);
+        group.colors[i] = fixed_.shade(point, hit);
     });
 }
 

@@ -225,7 +225,7 @@ PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes, uint
     for (RTSfloats& channel : points.result) channel = {};
     std::fill_n(points.result[3].lane, kPacketSize, 1.0f);
     points.resultSet = 0;
-    std::copy_n(rays.weight, kPacketSize, points.weight.lane);
+    std::memcpy(points.weight.lane, rays.weight, sizeof rays.weight);
     std::fill_n(points.triangleParam, kPacketSize, nullptr);
     std::fill_n(points.vertexParam, kPacketSize, nullptr);
     forEach(lanes, [&](int i) {
@@ -272,8 +272,8 @@ PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
     PointPacket& packet = beginPacket(rays, lanes, number);
     packet.surface = &surface;
     RTSpacket& points = packet.points;
-    std::copy_n(rays.hits.u, kPacketSize, packet.u);
-    std::copy_n(rays.hits.v, kPacketSize, packet.v);
+    std::memcpy(packet.u, rays.hits.u, sizeof packet.u);
+    std::memcpy(packet.v, rays.hits.v, sizeof packet.v);
     for (int i = 0; i < kPacketSize; ++i) {
         packet.coneSpread[i] = rays.coneSpread[i];
         packet.coneWidth[i] = rays.coneWidth[i] + rays.coneSpread[i] * rays.hits.t[i];

@@ -47,14 +47,8 @@ void ShadingServices<Shading>::shadePoints(const HitGroup& group, uint32_t lanes
 
 // Which of a packet's points was to blame, if it fails, only their scalar form can tell.
 template <class Shading>
-void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const HitGroup& group) {
-    uint32_t lanes = group.lanes;
-    if (shading_.fixedFunction) {
-        const uint32_t fixed = fixedLanes(surface, *group.rays, lanes);
-        shadeFixed(*group.rays, fixed, group.colors, group.found);
-        lanes &= ~fixed;
-        if (lanes == 0) return;
-    }
+void ShadingServices<Shading>::shadeLanes(const ShaderObject* surface, const HitGroup& group,
+                                          uint32_t lanes) {
     if (surface && Shading::shadesPackets(*surface) && asPacket(lanes, group.rays->depth) &&
         shadePacket(packetAtHits(*group.rays, lanes, *surface), group))
         return;
@@ -62,16 +56,31 @@ void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const Hit
 }
 
 template <class Shading>
+void ShadingServices<Shading>::shadeGroup(const ShaderObject* surface, const HitGroup& group) {
+    shadeGroups(surface, {&group, 1});
+}
+
+template <class Shading>
 void ShadingServices<Shading>::shadeGroups(const ShaderObject* surface,
                                            std::span<const HitGroup> groups) {
+    if (shading_.fixedFunction) {
+        uint32_t fixed[kTilePackets] = {};
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            fixed[i] = fixedLanes(surface, *groups[i].rays, groups[i].lanes);
+        shadeFixed(groups, fixed);
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            if (const uint32_t rest = groups[i].lanes & ~fixed[i])
+                shadeLanes(surface, groups[i], rest);
+        return;
+    }
     const bool asPackets =
-        groups.size() > 1 && surface && !shading_.fixedFunction && !shading_.transparent &&
+        groups.size() > 1 && surface && !shading_.transparent &&
         Shading::shadesPackets(*surface) && pool_->shadowGuess.expects(surface) &&
         std::ranges::all_of(groups, [&](const HitGroup& group) {
             return group.rays->depth == 0 && asPacket(group.lanes, 0);
         });
     if (!asPackets) {
-        for (const HitGroup& group : groups) shadeGroup(surface, group);
+        for (const HitGroup& group : groups) shadeLanes(surface, group, group.lanes);
         return;
     }
     PointPacket* packets[kTilePackets];

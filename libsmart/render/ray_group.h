@@ -119,6 +119,11 @@ struct RayGroup {
                 differ[i] |= hits.path[level][i] ^ hits.path[level][first];
         return lanesWhere([&](int i) { return differ[i] == 0; }) & lanes;
     }
+    /// Among such lanes, those that hit the triangle of the lowest, on its way.
+    uint32_t sameTriangle(uint32_t lanes) const {
+        const uint32_t triangle = hits.triangle[std::countr_zero(lanes)];
+        return lanesWhere([&](int i) { return hits.triangle[i] == triangle; }) & sameWay(lanes);
+    }
     /// Lanes that hit something, if they hold a ray.
     uint32_t hitLanes() const {
         return lanesWhere([&](int i) { return hits.triangle[i] != kNoHit; });

@@ -196,8 +196,8 @@ protected:
     }
     /// Among lanes whose hits have the given surface, those that fixed function shades.
     uint32_t fixedLanes(const ShaderObject* surface, const RayGroup& rays, uint32_t lanes) const;
-    void shadeFixed(const RayGroup& rays, uint32_t lanes, glm::vec4 (&colors)[kPacketSize],
-                    ShadedSample* found);
+    /// Shades such lanes of up to kTilePackets groups of neighbours.
+    void shadeFixed(std::span<const HitGroup> groups, const uint32_t* lanes);
     /// What is known of a camera ray's hit beside its colour and normal.
     void describe(const Hit& hit, ShadedSample& found) const;
     /// What such a surface leaves of light.
@@ -259,6 +259,20 @@ private:
     /// Lanes to which the light contributes.
     uint32_t samplePointLight(const builtin::PointLight& light, const RTSvectors& position,
                               RTSlightpacket& samples) const;
+    struct FixedPacket;
+    /// What of a camera ray's hits fixed function shades as packets; `alone`: what takes no more
+    /// than the hit.
+    uint32_t lanesTogether(const HitGroup& group, uint32_t lanes, uint32_t& alone) const;
+    /// Colours that depend on nothing but the hits and what is hidden.
+    void shadeTriangles(const RayGroup& rays, uint32_t lanes,
+                        const uint32_t (&hidden)[kPacketSize], glm::vec4 (&colors)[kPacketSize]);
+    void shadeFixedPackets(std::span<FixedPacket> packets);
+    void shadeFixedPoints(const HitGroup& group, uint32_t lanes);
+    /// Shadow rays of the lanes that ask about a light, which are returned.
+    uint32_t aimAtLight(const FixedPacket& fixed, int light, RTSvectors& direction,
+                        RTSfloats& distance) const;
+    void findHidden(std::span<FixedPacket> packets, int light);
+    void shadeThroughOthers(const FixedPacket& fixed, uint32_t lights);
     void gatherState(PointPacket& packet, int lane, RTSstate& state, RayStart& start,
                      HitChain& chain) const;
 

@@ -45,6 +45,8 @@ private:
     /// Radiance and alpha from a hit; black if the shader fails.
     glm::vec4 shadeHit(const Ray& ray, const Hit& hit, const PathState& path,
                        ShadedSample* found);
+    /// Shades lanes of a group that have the shader, as a packet where that pays.
+    void shadeLanes(const ShaderObject* surface, const HitGroup& group, uint32_t lanes);
     /// Shades lanes of a group one by one.
     void shadePoints(const HitGroup& group, uint32_t lanes);
     /// Shades the packet of a group as such; false: that failed, and nothing counts.

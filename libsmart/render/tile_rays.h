@@ -42,7 +42,17 @@ constexpr uint32_t entryOf(uint32_t ray) {
 
 /// What a tile needs while one sample of each of its pixels is made.
 struct TileRays {
-    RayGroup packets[tile_order::kPackets];
+    TileRays() : packets{}, active{}, collected{} {
+        for (uint32_t ray = 0; ray < TilePixels::kCount; ++ray) {
+            RayGroup& group = packets[ray / uint32_t(kPacketSize)];
+            group.sample[ray % uint32_t(kPacketSize)] = &samples[ray];
+            group.weight[ray % uint32_t(kPacketSize)] = 1.0f;
+        }
+    }
+    TileRays(const TileRays&) = delete;
+    TileRays& operator=(const TileRays&) = delete;
+
+    RayGroup packets[tile_order::kPackets]; ///< of camera rays: weights are 1, samples stay
     uint32_t active[tile_order::kPackets]; ///< lanes with a ray
     PixelSample samples[TilePixels::kCount];
     HitGroups groups; ///< of packets that do not hit one surface

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <span>
 
 #include "libsmart/render/rendering_object.h"
@@ -31,7 +32,7 @@ public:
 
 private:
     using RayNumber = HitGroups::RayNumber;
-    static constexpr uint32_t kLanes = uint32_t(kPacketSize);
+    static constexpr uint32_t kLanes = uint32_t(kPacketSize), kAllLanes = (1u << kLanes) - 1u;
 
     /// Rays of one surface in packets, and the places of their pixels.
     struct Part {
@@ -39,6 +40,7 @@ private:
         const RayGroup* rays;
         uint32_t lanes;
         RayNumber ray[kPacketSize]; ///< of the tile, by lane
+        bool inOrder;               ///< and they follow one another
     };
 
     /// Fills a pixel as one where nothing is; true where the camera sees it.
@@ -57,6 +59,8 @@ private:
     void shadeHits(std::span<const Part> parts, uint32_t sample);
     void shadeMisses(const Part& part);
     void storeFirst(uint32_t entry, const Ray& ray, const ShadedSample& sample);
+    /// Stores a packet whose pixels are all visible and fine; false: it is not such a one.
+    bool storeWhole(uint32_t packet);
     void storeColors();
 
     const Frame& frame_;
@@ -109,7 +113,7 @@ uint32_t TileTracer<Shading>::visibleLanes(uint32_t packet) {
     const uint32_t left = tile_.x + corner.x, bottom = tile_.y + corner.y;
     if (!keepsFirst_ && corner.x + kFar < tile_.width && corner.y + kFar < tile_.height &&
         camera_.covers(left, bottom) && camera_.covers(left + kFar, bottom + kFar))
-        return (1u << kLanes) - 1u;
+        return kAllLanes;
     uint32_t visible = 0;
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
         const uint32_t i = corner.x + lane % tile_order::kPacketSide;
@@ -125,15 +129,14 @@ void TileTracer<Shading>::makeRays(uint32_t packet, uint32_t sample) {
     RayGroup& group = rays_->packets[packet];
     const uint32_t left = tile_.x + corner.x, bottom = tile_.y + corner.y;
     double atX[kPacketSize], atY[kPacketSize];
+    const double firstX = left + 0.5, firstY = bottom + 0.5;
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
         const uint32_t column = lane % tile_order::kPacketSide;
         const uint32_t row = lane / tile_order::kPacketSide;
-        PixelSample& drawn = rays_->samples[packet * kLanes + lane];
-        drawn = PixelSample(left + column, bottom + row, sample, frame_.seed);
-        group.sample[lane] = &drawn;
-        atX[lane] = left + (column + 0.5);
-        atY[lane] = bottom + (row + 0.5);
-        group.weight[lane] = 1.0f;
+        rays_->samples[packet * kLanes + lane] =
+            PixelSample(left + column, bottom + row, sample, frame_.seed);
+        atX[lane] = firstX + double(column);
+        atY[lane] = firstY + double(row);
     }
     if (samples_ > 1)
         for (uint32_t lane = 0; lane < kLanes; ++lane) {
@@ -218,6 +221,7 @@ void TileTracer<Shading>::shadeBlock(uint32_t packet, std::size_t& misses, uint3
         part.lanes = hits;
         for (uint32_t lane = 0; lane < kLanes; ++lane)
             part.ray[lane] = RayNumber(p * kLanes + lane);
+        part.inOrder = true;
     }
     std::size_t first = 0;
     for (std::size_t i = 1; i <= count; ++i) {
@@ -236,6 +240,7 @@ typename TileTracer<Shading>::Part TileTracer<Shading>::collect(const ShaderObje
     part.surface = surface;
     part.rays = &group;
     part.lanes = (1u << count) - 1u;
+    part.inOrder = false;
     for (uint32_t i = 0; i < count; ++i) {
         group.copyLane(int(i), rays_->packets[rays[i] / kLanes], int(rays[i] % kLanes));
         part.ray[i] = rays[i];
@@ -274,11 +279,14 @@ void TileTracer<Shading>::shadeMisses(const Part& part) {
 
 template <class Shading>
 void TileTracer<Shading>::finish(const Part& part, const glm::vec4 (&colors)[kPacketSize]) {
-    forEach(part.lanes, [&](int lane) { // a bad pixel's sum is no matter
-        const RayNumber ray = part.ray[lane];
+    const auto add = [&](uint32_t ray, uint32_t lane) { // a bad pixel's sum is no matter
         rays_->sum[ray] += colors[lane];
         rays_->bad[ray] |= rays_->samples[ray].fault;
-    });
+    };
+    if (part.inOrder && part.lanes == kAllLanes)
+        for (uint32_t lane = 0; lane < kLanes; ++lane) add(part.ray[0] + lane, lane);
+    else
+        forEach(part.lanes, [&](int lane) { add(part.ray[lane], uint32_t(lane)); });
 }
 
 // The pixel's values beside the colour are those of its first sample.
@@ -294,18 +302,37 @@ void TileTracer<Shading>::storeFirst(uint32_t entry, const Ray& ray, const Shade
 }
 
 template <class Shading>
+bool TileTracer<Shading>::storeWhole(uint32_t packet) {
+    const glm::vec4* const colors = &rays_->sum[packet * kLanes];
+    glm::vec4 none(0.0f); // NaN where a colour is not finite
+    bool bad = visible_[packet] != kAllLanes;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        none += colors[lane] - colors[lane];
+        bad |= rays_->bad[packet * kLanes + lane];
+    }
+    if (bad || none != glm::vec4(0.0f)) return false;
+    for (uint32_t lane = 0; lane < kLanes; lane += tile_order::kPacketSide)
+        std::memcpy(&pixels_.color[tile_order::entryOf(packet * kLanes + lane)], &colors[lane],
+                    tile_order::kPacketSide * sizeof(glm::vec4));
+    return true;
+}
+
+template <class Shading>
 void TileTracer<Shading>::storeColors() {
-    for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet)
+    if (samples_ > 1)
+        for (glm::vec4& sum : rays_->sum) sum = sum / float(samples_);
+    for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet) {
+        if (storeWhole(packet)) continue;
         forEach(visible_[packet], [&](int i) {
             const uint32_t ray = packet * kLanes + uint32_t(i);
-            const glm::vec4& sum = rays_->sum[ray];
-            const glm::vec4 mean = samples_ == 1 ? sum : sum / float(samples_);
+            const glm::vec4& mean = rays_->sum[ray];
             // Finite samples may add up to what is not.
             const bool bad = rays_->bad[ray] || !isFinite(mean);
             pixels_.badPixels += bad;
             pixels_.color[tile_order::entryOf(ray)] =
                 bad ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : mean;
         });
+    }
 }
 
 } // namespace smart

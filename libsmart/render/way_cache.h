@@ -16,10 +16,10 @@ namespace smart {
 template <class Value>
 class WayCache {
 public:
-    WayCache() : entries_(kEntries) {}
+    WayCache() : ways_(kEntries), values_(kEntries) {}
 
     void clear() {
-        for (Entry& entry : entries_) entry.levels = 0;
+        for (Way& way : ways_) way.levels = 0;
     }
     /// The hit's entry; `isNew`: it holds what belongs to no hit, and is to be filled. Valid up to
     /// the next question.
@@ -27,27 +27,29 @@ public:
         uint32_t mixed = hit.triangle * 0x9E3779B1u;
         for (uint32_t level = 0; level < hit.levels; ++level)
             mixed = (mixed ^ hit.path[level]) * 0x85EBCA6Bu;
-        Entry& entry = entries_[mixed >> (32 - kBits)];
-        isNew = entry.triangle != hit.triangle || entry.levels != hit.levels ||
-                !std::equal(hit.path, hit.path + hit.levels, entry.path);
+        const uint32_t place = mixed >> (32 - kBits);
+        Way& way = ways_[place];
+        isNew = way.triangle != hit.triangle || way.levels != hit.levels;
+        for (uint32_t level = 0; level < hit.levels && !isNew; ++level)
+            isNew = way.path[level] != hit.path[level]; // paths are too short for a call
         if (isNew) {
-            entry.triangle = hit.triangle;
-            entry.levels = hit.levels;
-            std::copy_n(hit.path, hit.levels, entry.path);
+            way.triangle = hit.triangle;
+            way.levels = hit.levels;
+            std::copy_n(hit.path, hit.levels, way.path);
         }
-        return entry.value;
+        return values_[place];
     }
 
 private:
     static constexpr int kBits = 7;
     static constexpr std::size_t kEntries = std::size_t(1) << kBits;
-    struct Entry {
+    struct Way {
         uint32_t levels = 0, triangle = 0; ///< no levels: of no hit
         uint32_t path[kMaxLevels];
-        Value value;
     };
 
-    std::vector<Entry> entries_;
+    std::vector<Way> ways_; // apart from the values, which may be large
+    std::vector<Value> values_;
 };
 
 } // namespace smart

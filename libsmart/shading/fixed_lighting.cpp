@@ -96,7 +96,8 @@ void illuminate(const FixedLighting& lighting, const FixedVertex& vertex, const 
         glm::dvec3 own = rgb(material.ambient) * rgb(light.ambient) +
                          cosine * rgb(material.diffuse) * rgb(light.diffuse);
         glm::dvec3 highlight(0.0);
-        if (cosine > 0.0) {
+        const bool glossy = rgb(material.specular) * rgb(light.specular) != glm::dvec3(0.0);
+        if (cosine > 0.0 && glossy) {
             const glm::dvec3 halfway = unit(ray.direction + toViewer);
             highlight = power(std::max(glm::dot(normal, halfway), 0.0), material.shininess) *
                         rgb(material.specular) * rgb(light.specular);

@@ -46,15 +46,21 @@ FixedMaterial mix(const FixedMaterial& a, const FixedMaterial& b, const FixedMat
             mix(a.reflection, b.reflection, c.reflection, weights)};
 }
 
+/// As litVertex wants it.
+const glm::vec3* visibilityOf(uint32_t hidden, glm::vec3 (&memory)[kFixedLights]) {
+    for (int i = 0; i < kFixedLights; ++i)
+        memory[i] = glm::vec3(hidden >> i & 1u ? 0.0f : 1.0f);
+    return memory;
+}
+
 /// Reads the vertices of a model as fixed function has them.
 class VertexReader {
 public:
-    explicit VertexReader(const HitChain& chain)
-        : chain_(chain),
-          state_(*chain.instances[0]->traits->state),
-          attributes_(chain),
-          normals_(normalMatrix(chain.toWorld)),
-          normalScale_(rescaleFactor(chain.toWorld)) {}
+    explicit VertexReader(const FixedWay& way)
+        : way_(way),
+          chain_(way.chain),
+          state_(*chain_.instances[0]->traits->state),
+          attributes_(chain_) {}
 
     FixedVertex read(uint32_t triangle, int corner) const {
         const ShadingData& shading = chain_.model->shading;
@@ -69,7 +75,7 @@ public:
         const glm::dvec3 position = toVector(place);
         vertex.objectPosition = glm::dvec4(position, 1.0);
         vertex.position = chain_.toWorld * vertex.objectPosition;
-        vertex.normal = normals_ * glm::dvec3(attribute(shading.normals, shading.firstNormal,
+        vertex.normal = way_.normals * glm::dvec3(attribute(shading.normals, shading.firstNormal,
                                                         &Inherited::ownNormal,
                                                         &Inherited::normal));
         vertex.color = attribute(shading.colors, shading.firstColor, &Inherited::ownColor,
@@ -82,7 +88,7 @@ public:
             material ? shading.materials[*material].get()
                      : attributes_.inheritedValue(&Inherited::ownMaterials, &Inherited::materials)
                            .get();
-        vertex.normalScale = normalScale_;
+        vertex.normalScale = way_.normalScale;
         if (state_.lighting.colorSum)
             vertex.secondaryColor = attribute(shading.secondaryColors, shading.firstSecondaryColor,
                                               &Inherited::ownSecondaryColor,
@@ -106,19 +112,23 @@ private:
         return attributes_.inheritedTexCoord(unit);
     }
 
+    const FixedWay& way_;
     const HitChain& chain_;
     const FixedState& state_;
     const CornerAttributes attributes_;
-    const glm::dmat3 normals_;
-    const double normalScale_;
 };
 
 } // namespace
 
-FixedTriangle::FixedTriangle(const HitChain& chain, const FixedViewer& viewer)
-    : state_(chain.instances[0]->traits->state.get()), viewer_(viewer) {
-    const VertexReader reader(chain);
-    const uint32_t triangle = chain.triangle;
+FixedWay::FixedWay(const HitChain& way)
+    : chain(way), normals(normalMatrix(way.toWorld)), normalScale(rescaleFactor(way.toWorld)) {}
+
+void FixedTriangle::set(const FixedWay& way, uint32_t triangle, const FixedViewer& viewer) {
+    const HitChain& chain = way.chain;
+    state_ = chain.instances[0]->traits->state.get();
+    viewer_ = viewer;
+    seen_[0].known = seen_[1].known = shadowed_.known = false;
+    const VertexReader reader(way);
     for (int corner = 0; corner < 3; ++corner) vertices_[corner] = reader.read(triangle, corner);
     const std::vector<uint8_t>& provoking = chain.model->shading.provoking;
     provoking_ = provoking.empty() ? ShadingData::kLastCorner : provoking[triangle];
@@ -133,19 +143,27 @@ LitVertex FixedTriangle::lit(const FixedVertex& vertex, bool back,
     return litVertex(*state_, vertex, back, viewer_, visibility);
 }
 
-void FixedTriangle::light(bool back) {
+void FixedTriangle::light(Lit& to, bool back, const glm::vec3* visibility) const {
     for (int corner = 0; corner < 3; ++corner)
-        lit_[back][corner] = lit(vertices_[corner], back, nullptr);
+        to.corners[corner] = lit(vertices_[corner], back, visibility);
     if (state_->lighting.shadeModel == ShadeModel::Flat)
-        flat_[back] = provoking_ == kProvoking ? lit(vertices_[kProvoking], back, nullptr)
-                                               : lit_[back][provoking_];
-    isLit_[back] = true;
+        to.flat = provoking_ == kProvoking ? lit(vertices_[kProvoking], back, visibility)
+                                           : to.corners[provoking_];
 }
 
-const LitVertex (&FixedTriangle::corners(bool back))[3] {
-    if (!isLit_[back]) light(back);
-    return lit_[back];
+const FixedTriangle::Lit& FixedTriangle::lit(bool back, uint32_t hidden) {
+    Lit& found = hidden == 0 ? seen_[back] : shadowed_;
+    if (found.known && found.hidden == hidden && (hidden == 0 || shadowedBack_ == back))
+        return found;
+    glm::vec3 visibility[kFixedLights];
+    light(found, back, hidden == 0 ? nullptr : visibilityOf(hidden, visibility));
+    if (hidden != 0) shadowedBack_ = back;
+    found.hidden = hidden;
+    found.known = true;
+    return found;
 }
+
+const LitVertex (&FixedTriangle::corners(bool back))[3] { return lit(back, 0).corners; }
 
 FixedVertex FixedTriangle::vertexAt(const glm::dvec3& weights, FixedMaterials& memory) const {
     const auto sum = [&](auto member) {
@@ -200,31 +218,48 @@ LitVertex FixedTriangle::interpolated(const LitVertex (&corners)[3],
     return result;
 }
 
-LitVertex FixedTriangle::at(const glm::dvec3& weights, bool back, const glm::vec3* visibility) {
-    const LitVertex (&corner)[3] = corners(back);
+uint32_t FixedTriangle::lightsAt(const glm::dvec3& weights, bool back) {
+    switch (state_->lighting.shadeModel) {
+    case ShadeModel::Flat: return lit(back, 0).flat.lightsIn;
+    case ShadeModel::Phong: return at(weights, back).lightsIn;
+    case ShadeModel::Smooth: break;
+    }
+    const auto& [a, b, c] = corners(back);
+    return a.lightsIn | b.lightsIn | c.lightsIn;
+}
+
+glm::vec4 FixedTriangle::primaryAt(const glm::dvec3& weights, bool back, uint32_t hidden) {
+    const Lit& known = lit(back, hidden);
+    if (state_->lighting.shadeModel == ShadeModel::Flat) return known.flat.primary;
+    const auto& [a, b, c] = known.corners;
+    return mix(a.primary, b.primary, c.primary, weights);
+}
+
+LitVertex FixedTriangle::at(const glm::dvec3& weights, bool back, const FixedArrival& arrival) {
     const auto withColorsOf = [&](const LitVertex& lit) {
-        LitVertex result = interpolated(corner, weights);
+        LitVertex result = interpolated(corners(back), weights);
         result.primary = lit.primary;
         result.secondary = lit.secondary;
         result.reflection = lit.reflection;
         result.lightsIn = lit.lightsIn;
         return result;
     };
-    switch (state_->lighting.shadeModel) {
-    case ShadeModel::Flat:
-        return withColorsOf(visibility ? lit(vertices_[provoking_], back, visibility)
-                                       : flat_[back]);
-    case ShadeModel::Phong: {
+    if (state_->lighting.shadeModel == ShadeModel::Phong) {
         FixedMaterials memory;
-        return withColorsOf(lit(vertexAt(weights, memory), back, visibility));
+        glm::vec3 visibility[kFixedLights];
+        const glm::vec3* shares = arrival.shares;
+        if (!shares && arrival.hidden != 0) shares = visibilityOf(arrival.hidden, visibility);
+        return withColorsOf(lit(vertexAt(weights, memory), back, shares));
     }
-    case ShadeModel::Smooth: break;
-    }
-    if (!visibility) return interpolated(corner, weights);
-    const LitVertex left[3] = {lit(vertices_[0], back, visibility),
-                               lit(vertices_[1], back, visibility),
-                               lit(vertices_[2], back, visibility)};
-    return interpolated(left, weights);
+    const auto of = [&](const Lit& known) {
+        return state_->lighting.shadeModel == ShadeModel::Flat
+                   ? withColorsOf(known.flat)
+                   : interpolated(known.corners, weights);
+    };
+    if (!arrival.shares) return of(lit(back, arrival.hidden));
+    Lit memory;
+    light(memory, back, arrival.shares);
+    return of(memory);
 }
 
 } // namespace smart

@@ -85,12 +85,6 @@ uint32_t ownShader(const HitChain& chain) {
 
 } // namespace
 
-glm::dvec3 cornerWeights(float u, float v) {
-    const double sum = double(u) + double(v);
-    if (sum > 1.0) return {0.0, u / sum, v / sum};
-    return {1.0 - sum, u, v};
-}
-
 uint32_t effectiveShader(const HitChain& chain) {
     uint32_t shader = ownShader(chain);
     for (uint32_t level = chain.levels; level-- > 0;)

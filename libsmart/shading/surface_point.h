@@ -19,7 +19,11 @@ uint32_t effectiveShader(const HitChain& chain);
 /// Weights of the corners at a hit. u and v were rounded each by itself: together they may exceed 1
 /// by a little, and name a point beside the triangle, which need not be inside a closed body any
 /// more.
-glm::dvec3 cornerWeights(float u, float v);
+inline glm::dvec3 cornerWeights(float u, float v) {
+    const double sum = double(u) + double(v);
+    if (sum > 1.0) return {0.0, u / sum, v / sum};
+    return {1.0 - sum, u, v};
+}
 
 /// What the hits of one triangle, met in one way, have in common. Made for the first of them, whose
 /// chain has to live as long.

@@ -11,7 +11,7 @@ namespace smart::bench {
 namespace {
 
 struct Options {
-    std::string scene, isa, json;
+    std::string scene, surface, isa, json;
     ViewOptions view;
     uint32_t size = 1024;
     unsigned threads = processorCount(), repeat = 5;
@@ -35,8 +35,8 @@ nlohmann::json toJson(const FrameReport& report) {
 int run(const Options& options) {
     selectIsa(options.isa);
     const FrameReport report =
-        measureFrames(readTriangles(options.scene), options.view.view(), options.size,
-                      options.threads, options.repeat, showProgress);
+        measureFrames(readTriangles(options.scene), options.view.view(), options.surface,
+                      options.size, options.threads, options.repeat, showProgress);
     showProgress("");
     std::cout << report;
     writeJson(options.json, {{"scene", options.scene}, {"frames", toJson(report)}});
@@ -49,6 +49,7 @@ Run addFrame(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     addScene(app, options->scene);
     options->view.add(app);
+    app.add_option("--surface", options->surface, "only surfaces whose name begins so");
     addSize(app, options->size);
     addThreads(app, options->threads);
     addRepeat(app, options->repeat);

@@ -275,8 +275,9 @@ std::ostream& operator<<(std::ostream& out, const FrameReport& report) {
     return out;
 }
 
-FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& view, uint32_t size,
-                          unsigned threads, unsigned repeats, const Progress& progress) {
+FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& view,
+                          const std::string& only, uint32_t size, unsigned threads,
+                          unsigned repeats, const Progress& progress) {
     progress("building");
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, Precision::Watertight, threads, built);
@@ -289,8 +290,9 @@ FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& vi
         if (team == threads && threads == 1 && !report.series.empty()) break;
         for (const char* surface :
              {"ConstantShader", "DiffuseShader", "Phong", kFixedFunctionLighting})
-            report.series.push_back(
-                measureSurface(scene, surface, rays, view, size, team, repeats, progress));
+            if (only.empty() || std::string(surface).starts_with(only))
+                report.series.push_back(
+                    measureSurface(scene, surface, rays, view, size, team, repeats, progress));
     }
     return report;
 }

@@ -41,8 +41,9 @@ struct FrameReport {
 std::ostream& operator<<(std::ostream& out, const FrameReport& report);
 
 /// All ways in turn, `repeats` times over, for several surface classes, with one thread and with
-/// `threads`.
-FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& view, uint32_t size,
-                          unsigned threads, unsigned repeats, const Progress& progress);
+/// `threads`. `only`: those whose name begins so.
+FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& view,
+                          const std::string& only, uint32_t size, unsigned threads,
+                          unsigned repeats, const Progress& progress);
 
 } // namespace smart::bench
