@@ -37,10 +37,18 @@ using WordTag = hn::RebindToUnsigned<Tag>;
 inline constexpr int kRegisterLanes = int(hn::MaxLanes(Tag()));
 inline constexpr int kRegisters = kPacketSize / kRegisterLanes;
 
+// These three are copied register by register: left to itself, a compiler may copy a group in
+// portions that are smaller than a register, and loads of the whole would wait for all of them.
 template <>
 struct Mask<kPacketSize> {
     hn::Mask<Tag> m[kRegisters];
 
+    Mask() = default;
+    Mask(const Mask& a) { *this = a; }
+    Mask& operator=(const Mask& a) {
+        for (int i = 0; i < kRegisters; ++i) m[i] = a.m[i];
+        return *this;
+    }
     uint32_t bits() const {
         uint64_t all = 0;
         for (int i = 0; i < kRegisters; ++i) {
@@ -70,6 +78,11 @@ struct Real<kPacketSize> {
     hn::Vec<Tag> v[kRegisters];
 
     Real() = default;
+    Real(const Real& a) { *this = a; }
+    Real& operator=(const Real& a) {
+        for (int i = 0; i < kRegisters; ++i) v[i] = a.v[i];
+        return *this;
+    }
     explicit Real(float x) {
         for (int i = 0; i < kRegisters; ++i) v[i] = hn::Set(Tag(), x);
     }
@@ -93,6 +106,11 @@ struct Word<kPacketSize> {
     hn::Vec<WordTag> v[kRegisters];
 
     Word() = default;
+    Word(const Word& a) { *this = a; }
+    Word& operator=(const Word& a) {
+        for (int i = 0; i < kRegisters; ++i) v[i] = a.v[i];
+        return *this;
+    }
     explicit Word(uint32_t x) {
         for (int i = 0; i < kRegisters; ++i) v[i] = hn::Set(WordTag(), x);
     }
