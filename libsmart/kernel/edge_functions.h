@@ -48,16 +48,33 @@ struct alignas(64) EdgeFunctions {
     /// Which packets, bits of `packets`, may meet which triangles of a leaf nearer than
     /// 1 / farthest[v]: bit 16 v + i for packet v and triangle i. Slack widens the triangles.
     HWY_INLINE uint64_t setUp(const Beam& beam, const float* corners, uint32_t count,
-                              uint32_t packets, const float* farthest, float slack);
+                              uint32_t packets, const float* farthest, float slack) {
+        uint64_t candidates = 0;
+        for (uint32_t first = 0; first < (kAtOnce < N ? count : 1u); first += kAtOnce)
+            candidates |= setUpSome(beam, corners, count, first, farthest, slack);
+        // Sixteen equal bits for each packet.
+        const uint64_t lowest = (packets & 1u) | uint64_t(packets & 2u) << 15 |
+                                uint64_t(packets & 4u) << 30 | uint64_t(packets & 8u) << 45;
+        return candidates & lowest * ((1u << count) - 1u);
+    }
+
+private:
+    /// A register of triangles: most leaves hold fewer than sixteen.
+    static constexpr int kAtOnce = kRegisterLanes;
+
+    /// From triangle `first` on; bits beyond the last triangle are of any value.
+    HWY_INLINE uint64_t setUpSome(const Beam& beam, const float* corners, uint32_t count,
+                                  uint32_t first, const float* farthest, float slack);
 };
 
-HWY_INLINE uint64_t EdgeFunctions::setUp(const Beam& beam, const float* corners, uint32_t count,
-                                         uint32_t packets, const float* farthest, float slack) {
-    using R = Real<N>;
+HWY_INLINE uint64_t EdgeFunctions::setUpSome(const Beam& beam, const float* corners,
+                                             uint32_t count, uint32_t first,
+                                             const float* farthest, float slack) {
+    using R = Real<kAtOnce>;
     R px[3], py[3], pz[3];
     R m(0.0f), deep(0.0f);
     for (int c = 0; c < 3; ++c) {
-        const float* const vertex = corners + uint32_t(3 * c) * count;
+        const float* const vertex = corners + uint32_t(3 * c) * count + first;
         const auto seen = [&](int k) {
             return R::loadUnaligned(vertex + uint32_t(beam.axis(k)) * count) - R(beam.apex(k));
         };
@@ -83,21 +100,21 @@ HWY_INLINE uint64_t EdgeFunctions::setUp(const Beam& beam, const float* corners,
     const R size = magnitude(det), inverse = R(1.0f) / max(size, least);
     const R unknown(0x1p100f);
     const R error = select(size >= least, min(doubt * inverse + R(0x1p-20f), unknown), unknown);
-    const Mask<N> regular = error <= R(0x1p-4f);
+    const Mask<kAtOnce> regular = error <= R(0x1p-4f);
     const R one = select(det < R(0.0f), R(-beam.depthSign()), R(beam.depthSign()));
     // 0: the sign is not known. As error <= 1/4, without waiting for the division.
     const R flip = select((size >= least) & (doubt <= size * R(0.25f - 0x1p-18f)), one, R(0.0f));
     const R scale = flip * inverse;
     const R dx = select(regular, mx * scale, zero), dy = select(regular, my * scale, zero);
     const R dz = select(regular, mz * scale, infinity);
-    dx.store(depthX);
-    dy.store(depthY);
-    dz.store(depthZ);
-    limit.store(bound);
-    select(regular, limit, infinity).store(sure);
+    dx.store(depthX + first);
+    dy.store(depthY + first);
+    dz.store(depthZ + first);
+    limit.store(bound + first);
+    select(regular, limit, infinity).store(sure + first);
     const R up = R(1.0f) + error;
-    up.store(nearer);
-    (R(1.0f) - error).store(farther);
+    up.store(nearer + first);
+    (R(1.0f) - error).store(farther + first);
 
     const R halfX(beam.packetHalf(0)), halfY(beam.packetHalf(1));
     R nx[3], ny[3], nz[3], reach[3];
@@ -106,23 +123,20 @@ HWY_INLINE uint64_t EdgeFunctions::setUp(const Beam& beam, const float* corners,
         nx[e] = (py[b] * pz[c] - pz[b] * py[c]) * flip;
         ny[e] = (pz[b] * px[c] - px[b] * pz[c]) * flip;
         nz[e] = (px[b] * py[c] - py[b] * px[c]) * flip;
-        nx[e].store(x[e]);
-        ny[e].store(y[e]);
-        nz[e].store(z[e]);
+        nx[e].store(x[e] + first);
+        ny[e].store(y[e] + first);
+        nz[e].store(z[e] + first);
         reach[e] = nz[e] + magnitude(nx[e]) * halfX + magnitude(ny[e]) * halfY + limit;
     }
     const R nearest = (dz + magnitude(dx) * halfX + magnitude(dy) * halfY) * up;
     uint64_t candidates = 0;
     for (int v = 0; v < kTileVectors; ++v) {
         const R cx(beam.packetCentre(0, v)), cy(beam.packetCentre(1, v));
-        Mask<N> in = nearest + (dx * cx + dy * cy) * up >= R(farthest[v]);
+        Mask<kAtOnce> in = nearest + (dx * cx + dy * cy) * up >= R(farthest[v]);
         for (int e = 0; e < 3; ++e) in = in & (reach[e] + nx[e] * cx + ny[e] * cy >= zero);
-        candidates |= uint64_t(in.bits()) << (16 * v);
+        candidates |= uint64_t(in.bits()) << (16 * v + int(first));
     }
-    // Sixteen equal bits for each packet.
-    const uint64_t first = (packets & 1u) | uint64_t(packets & 2u) << 15 |
-                           uint64_t(packets & 4u) << 30 | uint64_t(packets & 8u) << 45;
-    return candidates & first * ((1u << count) - 1u);
+    return candidates;
 }
 
 } // namespace smart::SMART_ISA

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The few names that the kernels need, over Highway: one group of rays as a value, 16 for packets
 // and 1 for single rays, with the same arithmetic in each lane. A group of 16 takes as many
-// registers as the instruction set needs; what a lane computes does not depend on it.
+// registers as the instruction set needs; what a lane computes does not depend on it. Where there
+// may be less than 16 of something, groups of kRegisterLanes take one register each.
 #pragma once
 
 #include <cstddef>
@@ -22,28 +23,29 @@ namespace smart::SMART_ISA {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Which lanes; bit i of bits() is lane i.
-template <int N>
-struct Mask;
-/// One float a lane.
-template <int N>
-struct Real;
-/// One unsigned word a lane; kept, not computed with.
-template <int N>
-struct Word;
-
 using Tag = hn::CappedTag<float, kPacketSize>;
 using WordTag = hn::RebindToUnsigned<Tag>;
 inline constexpr int kRegisterLanes = int(hn::MaxLanes(Tag()));
-inline constexpr int kRegisters = kPacketSize / kRegisterLanes;
+template <int N>
+inline constexpr int kRegisters = N / kRegisterLanes; ///< of a group of N, whole registers
 
-template <>
-struct Mask<kPacketSize> {
-    hn::Mask<Tag> m[kRegisters];
+// Groups are copied register by register: left to itself, a compiler may copy one in portions that
+// are smaller than a register, and then loads of whole registers wait until all are written.
 
+/// Which lanes; bit i of bits() is lane i.
+template <int N>
+struct Mask {
+    hn::Mask<Tag> m[kRegisters<N>];
+
+    Mask() = default;
+    Mask(const Mask& a) { *this = a; }
+    Mask& operator=(const Mask& a) {
+        for (int i = 0; i < kRegisters<N>; ++i) m[i] = a.m[i];
+        return *this;
+    }
     uint32_t bits() const {
         uint64_t all = 0;
-        for (int i = 0; i < kRegisters; ++i) {
+        for (int i = 0; i < kRegisters<N>; ++i) {
             uint64_t lanes = 0;
             hn::StoreMaskBits(Tag(), m[i], reinterpret_cast<uint8_t*>(&lanes));
             all |= lanes << (i * kRegisterLanes);
@@ -52,12 +54,12 @@ struct Mask<kPacketSize> {
     }
     bool any() const {
         hn::Mask<Tag> some = m[0];
-        for (int i = 1; i < kRegisters; ++i) some = hn::Or(some, m[i]);
+        for (int i = 1; i < kRegisters<N>; ++i) some = hn::Or(some, m[i]);
         return !hn::AllFalse(Tag(), some);
     }
     static Mask fromBits(uint32_t bits) {
         Mask r;
-        for (int i = 0; i < kRegisters; ++i) {
+        for (int i = 0; i < kRegisters<N>; ++i) {
             const uint64_t lanes = bits >> (i * kRegisterLanes);
             r.m[i] = hn::LoadMaskBits(Tag(), reinterpret_cast<const uint8_t*>(&lanes));
         }
@@ -65,59 +67,75 @@ struct Mask<kPacketSize> {
     }
 };
 
-template <>
-struct Real<kPacketSize> {
-    hn::Vec<Tag> v[kRegisters];
+/// One float a lane.
+template <int N>
+struct Real {
+    hn::Vec<Tag> v[kRegisters<N>];
 
     Real() = default;
+    Real(const Real& a) { *this = a; }
+    Real& operator=(const Real& a) {
+        for (int i = 0; i < kRegisters<N>; ++i) v[i] = a.v[i];
+        return *this;
+    }
     explicit Real(float x) {
-        for (int i = 0; i < kRegisters; ++i) v[i] = hn::Set(Tag(), x);
+        for (int i = 0; i < kRegisters<N>; ++i) v[i] = hn::Set(Tag(), x);
     }
     static Real load(const float* aligned) {
         Real r;
-        for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::Load(Tag(), aligned + i * kRegisterLanes);
+        for (int i = 0; i < kRegisters<N>; ++i)
+            r.v[i] = hn::Load(Tag(), aligned + i * kRegisterLanes);
         return r;
     }
     static Real loadUnaligned(const float* p) {
         Real r;
-        for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::LoadU(Tag(), p + i * kRegisterLanes);
+        for (int i = 0; i < kRegisters<N>; ++i)
+            r.v[i] = hn::LoadU(Tag(), p + i * kRegisterLanes);
         return r;
     }
     void store(float* aligned) const {
-        for (int i = 0; i < kRegisters; ++i) hn::Store(v[i], Tag(), aligned + i * kRegisterLanes);
+        for (int i = 0; i < kRegisters<N>; ++i)
+            hn::Store(v[i], Tag(), aligned + i * kRegisterLanes);
     }
 };
 
-template <>
-struct Word<kPacketSize> {
-    hn::Vec<WordTag> v[kRegisters];
+/// One unsigned word a lane; kept, not computed with.
+template <int N>
+struct Word {
+    hn::Vec<WordTag> v[kRegisters<N>];
 
     Word() = default;
+    Word(const Word& a) { *this = a; }
+    Word& operator=(const Word& a) {
+        for (int i = 0; i < kRegisters<N>; ++i) v[i] = a.v[i];
+        return *this;
+    }
     explicit Word(uint32_t x) {
-        for (int i = 0; i < kRegisters; ++i) v[i] = hn::Set(WordTag(), x);
+        for (int i = 0; i < kRegisters<N>; ++i) v[i] = hn::Set(WordTag(), x);
     }
     static Word load(const uint32_t* aligned) {
         Word r;
-        for (int i = 0; i < kRegisters; ++i)
+        for (int i = 0; i < kRegisters<N>; ++i)
             r.v[i] = hn::Load(WordTag(), aligned + i * kRegisterLanes);
         return r;
     }
     static Word loadUnaligned(const uint32_t* p) {
         Word r;
-        for (int i = 0; i < kRegisters; ++i)
+        for (int i = 0; i < kRegisters<N>; ++i)
             r.v[i] = hn::LoadU(WordTag(), p + i * kRegisterLanes);
         return r;
     }
     void store(uint32_t* aligned) const {
-        for (int i = 0; i < kRegisters; ++i)
+        for (int i = 0; i < kRegisters<N>; ++i)
             hn::Store(v[i], WordTag(), aligned + i * kRegisterLanes);
     }
 };
 
 #define SMART_LANEWISE(Result, name, field, expression)                                  \
-    inline Result<kPacketSize> name(const Real<kPacketSize>& a, const Real<kPacketSize>& b) { \
-        Result<kPacketSize> r;                                                           \
-        for (int i = 0; i < kRegisters; ++i) r.field[i] = expression(a.v[i], b.v[i]);    \
+    template <int N>                                                                     \
+    inline Result<N> name(const Real<N>& a, const Real<N>& b) {                          \
+        Result<N> r;                                                                     \
+        for (int i = 0; i < kRegisters<N>; ++i) r.field[i] = expression(a.v[i], b.v[i]); \
         return r;                                                                        \
     }
 SMART_LANEWISE(Real, operator+, v, hn::Add)
@@ -134,38 +152,42 @@ SMART_LANEWISE(Mask, operator==, m, hn::Eq)
 SMART_LANEWISE(Mask, operator!=, m, hn::Ne)
 #undef SMART_LANEWISE
 
-inline Mask<kPacketSize> operator&(const Mask<kPacketSize>& a, const Mask<kPacketSize>& b) {
-    Mask<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i) r.m[i] = hn::And(a.m[i], b.m[i]);
+template <int N>
+inline Mask<N> operator&(const Mask<N>& a, const Mask<N>& b) {
+    Mask<N> r;
+    for (int i = 0; i < kRegisters<N>; ++i) r.m[i] = hn::And(a.m[i], b.m[i]);
     return r;
 }
-inline Mask<kPacketSize> operator|(const Mask<kPacketSize>& a, const Mask<kPacketSize>& b) {
-    Mask<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i) r.m[i] = hn::Or(a.m[i], b.m[i]);
+template <int N>
+inline Mask<N> operator|(const Mask<N>& a, const Mask<N>& b) {
+    Mask<N> r;
+    for (int i = 0; i < kRegisters<N>; ++i) r.m[i] = hn::Or(a.m[i], b.m[i]);
     return r;
 }
 /// a without b
-inline Mask<kPacketSize> andNot(const Mask<kPacketSize>& a, const Mask<kPacketSize>& b) {
-    Mask<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i) r.m[i] = hn::AndNot(b.m[i], a.m[i]);
+template <int N>
+inline Mask<N> andNot(const Mask<N>& a, const Mask<N>& b) {
+    Mask<N> r;
+    for (int i = 0; i < kRegisters<N>; ++i) r.m[i] = hn::AndNot(b.m[i], a.m[i]);
     return r;
 }
-inline Real<kPacketSize> select(const Mask<kPacketSize>& m, const Real<kPacketSize>& a,
-                                const Real<kPacketSize>& b) {
-    Real<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::IfThenElse(m.m[i], a.v[i], b.v[i]);
+template <int N>
+inline Real<N> select(const Mask<N>& m, const Real<N>& a, const Real<N>& b) {
+    Real<N> r;
+    for (int i = 0; i < kRegisters<N>; ++i) r.v[i] = hn::IfThenElse(m.m[i], a.v[i], b.v[i]);
     return r;
 }
-inline Word<kPacketSize> select(const Mask<kPacketSize>& m, const Word<kPacketSize>& a,
-                                const Word<kPacketSize>& b) {
-    Word<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i)
+template <int N>
+inline Word<N> select(const Mask<N>& m, const Word<N>& a, const Word<N>& b) {
+    Word<N> r;
+    for (int i = 0; i < kRegisters<N>; ++i)
         r.v[i] = hn::IfThenElse(hn::RebindMask(WordTag(), m.m[i]), a.v[i], b.v[i]);
     return r;
 }
-inline Real<kPacketSize> magnitude(const Real<kPacketSize>& a) {
-    Real<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i) r.v[i] = hn::Abs(a.v[i]);
+template <int N>
+inline Real<N> magnitude(const Real<N>& a) {
+    Real<N> r;
+    for (int i = 0; i < kRegisters<N>; ++i) r.v[i] = hn::Abs(a.v[i]);
     return r;
 }
 
@@ -173,7 +195,7 @@ inline Real<kPacketSize> magnitude(const Real<kPacketSize>& a) {
 /// group's memory behind `to` gets any value.
 inline int compressStore(const Mask<kPacketSize>& m, const Real<kPacketSize>& a, float* to) {
     std::size_t count = 0;
-    for (int i = 0; i < kRegisters; ++i) {
+    for (int i = 0; i < kRegisters<kPacketSize>; ++i) {
         hn::StoreU(hn::Compress(a.v[i], m.m[i]), Tag(), to + count);
         count += hn::CountTrue(Tag(), m.m[i]);
     }
@@ -181,7 +203,7 @@ inline int compressStore(const Mask<kPacketSize>& m, const Real<kPacketSize>& a,
 }
 inline int compressStore(const Mask<kPacketSize>& m, const Word<kPacketSize>& a, uint32_t* to) {
     std::size_t count = 0;
-    for (int i = 0; i < kRegisters; ++i) {
+    for (int i = 0; i < kRegisters<kPacketSize>; ++i) {
         const auto lanes = hn::RebindMask(WordTag(), m.m[i]);
         hn::StoreU(hn::Compress(a.v[i], lanes), WordTag(), to + count);
         count += hn::CountTrue(WordTag(), lanes);
@@ -191,24 +213,24 @@ inline int compressStore(const Mask<kPacketSize>& m, const Word<kPacketSize>& a,
 
 inline float smallestLane(const Real<kPacketSize>& a) {
     hn::Vec<Tag> m = a.v[0];
-    for (int i = 1; i < kRegisters; ++i) m = hn::Min(m, a.v[i]);
+    for (int i = 1; i < kRegisters<kPacketSize>; ++i) m = hn::Min(m, a.v[i]);
     return hn::GetLane(hn::MinOfLanes(Tag(), m));
 }
 inline float largestLane(const Real<kPacketSize>& a) {
     hn::Vec<Tag> m = a.v[0];
-    for (int i = 1; i < kRegisters; ++i) m = hn::Max(m, a.v[i]);
+    for (int i = 1; i < kRegisters<kPacketSize>; ++i) m = hn::Max(m, a.v[i]);
     return hn::GetLane(hn::MaxOfLanes(Tag(), m));
 }
 inline Mask<kPacketSize> operator!=(const Word<kPacketSize>& a, const Word<kPacketSize>& b) {
     Mask<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i)
+    for (int i = 0; i < kRegisters<kPacketSize>; ++i)
         r.m[i] = hn::RebindMask(Tag(), hn::Ne(a.v[i], b.v[i]));
     return r;
 }
 /// Lanes that have one of the bits given.
 inline Mask<kPacketSize> withBit(const Word<kPacketSize>& a, uint32_t bit) {
     Mask<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i)
+    for (int i = 0; i < kRegisters<kPacketSize>; ++i)
         r.m[i] = hn::RebindMask(Tag(), hn::TestBit(a.v[i], hn::Set(WordTag(), bit)));
     return r;
 }
@@ -221,7 +243,7 @@ inline void smallestLanes(const Real<kPacketSize> (&a)[4], float* smallest) {
     hn::Vec<Tag> m[4];
     for (int i = 0; i < 4; ++i) {
         m[i] = a[i].v[0];
-        for (int j = 1; j < kRegisters; ++j) m[i] = hn::Min(m[i], a[i].v[j]);
+        for (int j = 1; j < kRegisters<kPacketSize>; ++j) m[i] = hn::Min(m[i], a[i].v[j]);
     }
     const auto halve = [tag](hn::Vec<Tag> low, hn::Vec<Tag> high) HWY_ATTR {
         return hn::Min(hn::ConcatEven(tag, high, low), hn::ConcatOdd(tag, high, low));
@@ -237,7 +259,7 @@ inline void smallestLanes(const Real<kPacketSize> (&a)[4], float* smallest) {
 /// Values not below 0 with the lane's number for their lowest four bits: no two are equal.
 inline Real<kPacketSize> numbered(const Real<kPacketSize>& a) {
     Real<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i) {
+    for (int i = 0; i < kRegisters<kPacketSize>; ++i) {
         const auto bits = hn::AndNot(hn::Set(WordTag(), 15u), hn::BitCast(WordTag(), a.v[i]));
         const auto number = hn::Iota(WordTag(), uint32_t(i * kRegisterLanes));
         r.v[i] = hn::BitCast(Tag(), hn::Or(bits, number));
@@ -247,7 +269,7 @@ inline Real<kPacketSize> numbered(const Real<kPacketSize>& a) {
 /// 1/a for positive normal a, off by less than 2^-14 of it; how much depends on the machine.
 inline Real<kPacketSize> roughReciprocal(const Real<kPacketSize>& a) {
     Real<kPacketSize> r;
-    for (int i = 0; i < kRegisters; ++i) {
+    for (int i = 0; i < kRegisters<kPacketSize>; ++i) {
         const hn::Vec<Tag> x = hn::ApproximateReciprocal(a.v[i]);
         r.v[i] = hn::Mul(x, hn::Sub(hn::Set(Tag(), 2.0f), hn::Mul(a.v[i], x)));
     }
@@ -276,6 +298,7 @@ struct Real<1> {
     Real() = default;
     explicit Real(float x) : v(x) {}
     static Real load(const float* p) { return Real(*p); }
+    static Real loadUnaligned(const float* p) { return Real(*p); }
     void store(float* p) const { *p = v; }
 };
 

@@ -95,6 +95,7 @@ public:
         uint64_t pairs = edges.setUp(beam_, triangles, count, packets, farthest_, slack_);
         if (!pairs) return;
         bool changed = false;
+        Undecided later;
         for (; pairs; pairs &= pairs - 1) {
             const int pair = __builtin_ctzll(pairs);
             const int v = pair >> 4, i = pair & 15;
@@ -114,22 +115,45 @@ public:
                 const Mask<N> sure = possible & (lowest >= Real<N>(edges.sure[i])) &
                                      (lower >= high_[v]) & (upper <= inverseLimit_[v]);
                 const uint32_t taken = sure.bits(), open = possible.bits() & ~taken;
-                take(v, taken, sure, lower, upper, number(triangles, count, i));
                 changed |= taken != 0;
-                uint32_t rest = open;
-                if (M == HitMode::Any && open && edges.sure[i] < __builtin_inff())
-                    rest = ahead(triangles, count, i, v, open);
-                if (!rest) continue;
-                changed |= decide(triangles, count, i, v, rest);
+                if constexpr (M == HitMode::Any) {
+                    query_[v].blocked |= taken;
+                    later.add(pair, open);
+                } else {
+                    take(v, taken, sure, lower, upper, number(triangles, count, i));
+                    if (open) changed |= decide(triangles, count, i, v, open);
+                }
             } else {
                 const uint32_t open = possible.bits();
                 if (open) changed |= decide(triangles, count, i, v, open);
             }
         }
+        for (uint32_t n = 0; n < later.count; ++n) {
+            const int v = later.pair[n] >> 4, i = later.pair[n] & 15;
+            uint32_t open = later.lanes[n] & ~query_[v].blocked;
+            if (open && edges.sure[i] < __builtin_inff())
+                open = ahead(triangles, count, i, v, open);
+            if (open) changed |= decide(triangles, count, i, v, open);
+        }
         if (changed) updateLimits();
     }
 
 private:
+    /// HitMode::Any: what linear functions leave open in a leaf, pairs of a packet and a triangle
+    /// as EdgeFunctions has them. Where one hit is as good as another, what is sure comes first,
+    /// and no pair waits for a branch on the one before.
+    struct Undecided {
+        uint32_t count = 0;
+        int pair[kTileVectors * N];
+        uint32_t lanes[kTileVectors * N];
+
+        void add(int which, uint32_t open) {
+            pair[count] = which;
+            lanes[count] = open;
+            count += open != 0;
+        }
+    };
+
     /// Near and far depth of the rays of a packet.
     HWY_INLINE void start(int v) {
         const Mask<N> on = Mask<N>::fromBits(lanes_.of[v]);
@@ -163,6 +187,8 @@ private:
             if constexpr (M == HitMode::Closest)
                 farDepth_[v] =
                     min(farDepth_[v], roughInverse(low_[v]) * Real<N>(1 + 0x1p-12f));
+            else
+                dropBlocked(v);
             far = max(far, farDepth_[v]);
         }
         smallestLanes(low_, farthest_);
@@ -181,28 +207,24 @@ private:
     /// Rays of packet v hit a triangle, nearer than all else so far.
     HWY_INLINE void take(int v, uint32_t lanes, const Mask<N>& mask, const Real<N>& lower,
                          const Real<N>& upper, uint32_t triangle) {
-        if constexpr (M == HitMode::Any) {
-            block(v, lanes);
-        } else {
-            low_[v] = select(mask, lower, low_[v]);
-            high_[v] = select(mask, upper, high_[v]);
-            found_[v] = select(mask, Word<N>(triangle), found_[v]);
-            unsettled_[v] |= lanes;
-            // For the refinement; if nothing is taken, something that is near anyway.
-            const char* const hit =
-                lanes ? reinterpret_cast<const char*>(model_.triangles + triangle)
-                      : reinterpret_cast<const char*>(this);
-            __builtin_prefetch(hit);
-            __builtin_prefetch(hit + sizeof(Triangle) - 1);
-        }
+        low_[v] = select(mask, lower, low_[v]);
+        high_[v] = select(mask, upper, high_[v]);
+        found_[v] = select(mask, Word<N>(triangle), found_[v]);
+        unsettled_[v] |= lanes;
+        // For the refinement; if nothing is taken, something that is near anyway. By arithmetic,
+        // as no predictor learns the branch.
+        const uint32_t fetched = triangle & (0u - uint32_t(lanes != 0));
+        const char* const hit = reinterpret_cast<const char*>(model_.triangles + fetched);
+        __builtin_prefetch(hit);
+        __builtin_prefetch(hit + sizeof(Triangle) - 1);
     }
-    HWY_INLINE void block(int v, uint32_t lanes) {
-        Query& query = query_[v];
-        query.blocked |= lanes;
-        const Mask<N> done = Mask<N>::fromBits(lanes);
+    /// HitMode::Any: rays that met something look for nothing more.
+    HWY_INLINE void dropBlocked(int v) {
+        const uint32_t blocked = query_[v].blocked;
+        const Mask<N> done = Mask<N>::fromBits(blocked);
         low_[v] = select(done, Real<N>(__builtin_inff()), low_[v]);
         farDepth_[v] = select(done, Real<N>(-__builtin_inff()), farDepth_[v]);
-        if (!(lanes_.of[v] & ~query.blocked)) packets_ &= ~(1u << v);
+        packets_ &= ~(uint32_t(!(lanes_.of[v] & ~blocked)) << v);
     }
 
     static void load(const float* triangles, uint32_t count, int i, Triangle& triangle) {
@@ -273,7 +295,7 @@ private:
         hit = hit & (t >= Real<N>::load(query.tNear)) & (t <= best);
         if constexpr (M == HitMode::Any) {
             if (!any(hit)) return false;
-            block(v, hit.bits());
+            query.blocked |= hit.bits();
         } else {
             best = query.accept(hit, t, best, prim);
             best.store(query.best);
