@@ -58,17 +58,17 @@ std::shared_ptr<const ImagePixels> readBitmap(Context& c, RTsizei width, RTsizei
 
 std::shared_ptr<const ImagePixels> readPixels(Context& c, RTsizei width, RTsizei height,
                                               RTenum format, RTenum type, const void* pixels) {
-    const PixelOrder order = pixelOrderOf(format);
-    const TexelType texelType = texelTypeOf(type);
+    const PixelLayout layout = colorLayoutOf(format, type);
     checkSize(width, height);
     if (width == 0 || height == 0) return nullptr;
     requirePointer(pixels, "pixels");
     const auto image = std::make_shared<ImagePixels>();
     image->width = uint32_t(width);
     image->height = uint32_t(height);
-    image->type = texelType;
-    image->data = unpackImage({pixels, image->width, image->height, order, texelType},
-                              c.recorder().pixelStore(), 4);
+    // The transfer may make colours of negative numbers.
+    image->type = layout.isSigned() ? TexelType::Float : texelTypeFor(layout);
+    image->data = unpackImage({pixels, image->width, image->height, layout},
+                              c.recorder().pixelStore(), 4, image->type);
     return image;
 }
 
@@ -96,14 +96,14 @@ void setTransfer(const char* function, RTenum pname, double param) noexcept {
                            "this pixel transfer is not part of this release");
         };
         switch (pname) {
-        case RT_RED_SCALE: drawing.scale.r = float(param); break;
-        case RT_GREEN_SCALE: drawing.scale.g = float(param); break;
-        case RT_BLUE_SCALE: drawing.scale.b = float(param); break;
-        case RT_ALPHA_SCALE: drawing.scale.a = float(param); break;
-        case RT_RED_BIAS: drawing.bias.r = float(param); break;
-        case RT_GREEN_BIAS: drawing.bias.g = float(param); break;
-        case RT_BLUE_BIAS: drawing.bias.b = float(param); break;
-        case RT_ALPHA_BIAS: drawing.bias.a = float(param); break;
+        case RT_RED_SCALE: drawing.transfer.scale.r = float(param); break;
+        case RT_GREEN_SCALE: drawing.transfer.scale.g = float(param); break;
+        case RT_BLUE_SCALE: drawing.transfer.scale.b = float(param); break;
+        case RT_ALPHA_SCALE: drawing.transfer.scale.a = float(param); break;
+        case RT_RED_BIAS: drawing.transfer.bias.r = float(param); break;
+        case RT_GREEN_BIAS: drawing.transfer.bias.g = float(param); break;
+        case RT_BLUE_BIAS: drawing.transfer.bias.b = float(param); break;
+        case RT_ALPHA_BIAS: drawing.transfer.bias.a = float(param); break;
         case RT_DEPTH_SCALE: only(1.0); break;
         case RT_MAP_COLOR:
         case RT_MAP_STENCIL:

@@ -3,7 +3,6 @@
 // of textures.
 #include <memory>
 #include <new>
-#include <optional>
 #include <vector>
 
 #include "compat/openrt/guard.h"
@@ -18,71 +17,6 @@ using namespace smart::compat;
 
 namespace {
 
-PackOrder packOrderOf(RTenum format) {
-    switch (format) {
-    case RT_RED: return PackOrder::Red;
-    case RT_GREEN: return PackOrder::Green;
-    case RT_BLUE: return PackOrder::Blue;
-    case RT_ALPHA: return PackOrder::Alpha;
-    case RT_RGB: return PackOrder::Rgb;
-    case RT_RGBA: return PackOrder::Rgba;
-    case RT_BGR: return PackOrder::Bgr;
-    case RT_BGRA: return PackOrder::Bgra;
-    case RT_LUMINANCE: return PackOrder::Luminance;
-    case RT_LUMINANCE_ALPHA: return PackOrder::LuminanceAlpha;
-    case RT_DEPTH_COMPONENT: return PackOrder::Depth;
-    case RT_COLOR_INDEX:
-    case RT_STENCIL_INDEX:
-        throwError(ErrorCode::InvalidOperation, "there is no such buffer to be read");
-    default: throwError(ErrorCode::InvalidEnum, "unknown pixel format");
-    }
-}
-
-std::optional<PackFields> packFieldsOf(RTenum type) {
-    switch (type) {
-    case RT_UNSIGNED_BYTE_3_3_2: return PackFields{1, 3, {3, 3, 2}, false};
-    case RT_UNSIGNED_BYTE_2_3_3_REV: return PackFields{1, 3, {2, 3, 3}, true};
-    case RT_UNSIGNED_SHORT_5_6_5: return PackFields{2, 3, {5, 6, 5}, false};
-    case RT_UNSIGNED_SHORT_5_6_5_REV: return PackFields{2, 3, {5, 6, 5}, true};
-    case RT_UNSIGNED_SHORT_4_4_4_4: return PackFields{2, 4, {4, 4, 4, 4}, false};
-    case RT_UNSIGNED_SHORT_4_4_4_4_REV: return PackFields{2, 4, {4, 4, 4, 4}, true};
-    case RT_UNSIGNED_SHORT_5_5_5_1: return PackFields{2, 4, {5, 5, 5, 1}, false};
-    case RT_UNSIGNED_SHORT_1_5_5_5_REV: return PackFields{2, 4, {1, 5, 5, 5}, true};
-    case RT_UNSIGNED_INT_8_8_8_8: return PackFields{4, 4, {8, 8, 8, 8}, false};
-    case RT_UNSIGNED_INT_8_8_8_8_REV: return PackFields{4, 4, {8, 8, 8, 8}, true};
-    case RT_UNSIGNED_INT_10_10_10_2: return PackFields{4, 4, {10, 10, 10, 2}, false};
-    case RT_UNSIGNED_INT_2_10_10_10_REV: return PackFields{4, 4, {2, 10, 10, 10}, true};
-    default: return std::nullopt;
-    }
-}
-
-PackType packTypeOf(RTenum type) {
-    switch (type) {
-    case RT_BYTE: return PackType::Byte;
-    case RT_UNSIGNED_BYTE: return PackType::UnsignedByte;
-    case RT_SHORT: return PackType::Short;
-    case RT_UNSIGNED_SHORT: return PackType::UnsignedShort;
-    case RT_INT: return PackType::Int;
-    case RT_UNSIGNED_INT: return PackType::UnsignedInt;
-    case RT_FLOAT: return PackType::Float;
-    default: throwError(ErrorCode::InvalidEnum, "unknown pixel type");
-    }
-}
-
-PackFormat packFormatOf(RTenum format, RTenum type) {
-    PackFormat result;
-    const std::optional<PackFields> fields = packFieldsOf(type);
-    result.type = fields ? PackType::Fields : packTypeOf(type);
-    result.order = packOrderOf(format);
-    if (!fields) return result;
-    result.fields = *fields;
-    const bool fits = fields->count == 3 ? result.order == PackOrder::Rgb
-                                         : result.order == PackOrder::Rgba ||
-                                               result.order == PackOrder::Bgra;
-    if (!fits) throwError(ErrorCode::InvalidOperation, "the type does not fit the format");
-    return result;
-}
-
 void checkArea(RTsizei width, RTsizei height) {
     if (width < 0 || height < 0) throwError(ErrorCode::InvalidValue, "a size is negative");
 }
@@ -93,9 +27,10 @@ constexpr RTsizei kMaxSide = 1 << 24;
 constexpr PixelStore kPacked{.alignment = 1};
 
 /// An area in bytes red, green, blue, alpha; 0 outside of the picture.
-std::vector<std::byte> readBytes(const Picture& picture, const ReadArea& area) {
+std::vector<std::byte> readBytes(const Picture& picture, const ReadArea& area,
+                                 const PixelTransfer& transfer = {}) {
     std::vector<std::byte> bytes(std::size_t(area.width) * area.height * 4);
-    packPixels(picture, area, {}, kPacked, glm::vec4(1.0f), glm::vec4(0.0f), bytes.data());
+    packPixels(picture, area, {}, kPacked, transfer, bytes.data());
     return bytes;
 }
 
@@ -108,8 +43,9 @@ void copyTexImage(const char* function, RTenum target, RTenum internalFormat, RT
         checkTextureImage(call);
         const std::vector<std::byte> bytes =
             readBytes(c.frames().finishedPicture(false, PictureUse::Scene),
-                      {x, y, uint32_t(call.width), uint32_t(call.height)});
-        defineTextureImage(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
+                      {x, y, uint32_t(call.width), uint32_t(call.height)},
+                      c.recorder().pixelDrawing().transfer);
+        setTextureImage(c, call, makeTextureImage(call, {bytes.data(), {}, kPacked}));
     });
 }
 
@@ -121,8 +57,9 @@ void copyTexSubImage(const char* function, RTenum target, RTint x, RTint y,
         checkTexturePart(c, call);
         const std::vector<std::byte> bytes =
             readBytes(c.frames().finishedPicture(false, PictureUse::Scene),
-                      {x, y, uint32_t(call.width), uint32_t(call.height)});
-        replaceTexturePart(c, call, {bytes.data(), PixelOrder::Rgba, TexelType::Byte}, &kPacked);
+                      {x, y, uint32_t(call.width), uint32_t(call.height)},
+                      c.recorder().pixelDrawing().transfer);
+        replaceTexturePart(c, call, {bytes.data(), {}, kPacked});
     });
 }
 
@@ -160,10 +97,10 @@ RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, R
     guarded(__func__, [&](Context& c) {
         const TextureStore& textures = c.recorder().textures();
         const TextureTarget bound = textureTargetOf(target);
-        const PackFormat packed = packFormatOf(format, type);
+        const PixelLayout layout = pixelLayoutOf(format, type);
         if (level < 0 || uint32_t(level) > TextureStore::kMaxLevel)
             throwError(ErrorCode::InvalidValue, "levels go from 0 to 14");
-        if (packed.order == PackOrder::Depth)
+        if (layout.order == PixelOrder::Depth)
             throwError(ErrorCode::InvalidOperation, "textures hold colours");
         const TextureImagePtr image = textures.image(uint32_t(level), bound);
         if (!image) return;
@@ -175,8 +112,8 @@ RTAPI void RTAPIENTRY rtGetTexImage(RTenum target, RTint level, RTenum format, R
         picture.target.width = image->width();
         picture.target.height = image->height();
         picture.target.format = PixelFormat::Rgba32f;
-        packPixels(picture, {0, 0, image->width(), image->height()}, packed,
-                   c.recorder().packStore(), glm::vec4(1.0f), glm::vec4(0.0f), pixels);
+        packPixels(picture, {0, 0, image->width(), image->height()}, layout,
+                   c.recorder().packStore(), {}, pixels);
     });
 }
 
@@ -184,15 +121,14 @@ RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei heig
                                    RTenum type, void* pixels) {
     guarded(__func__, [&](Context& c) {
         c.recorder().requireOutsideObject();
-        const PackFormat packed = packFormatOf(format, type);
+        const PixelLayout layout = pixelLayoutOf(format, type);
         checkArea(width, height);
         if (width == 0 || height == 0) return;
         requirePointer(pixels, "pixels");
-        const Picture picture = c.frames().finishedPicture(packed.order == PackOrder::Depth,
+        const Picture picture = c.frames().finishedPicture(layout.order == PixelOrder::Depth,
                                                            PictureUse::Application);
-        const PixelDrawing& transfer = c.recorder().pixelDrawingNow();
-        packPixels(picture, {x, y, uint32_t(width), uint32_t(height)}, packed,
-                   c.recorder().packStore(), transfer.scale, transfer.bias, pixels);
+        packPixels(picture, {x, y, uint32_t(width), uint32_t(height)}, layout,
+                   c.recorder().packStore(), c.recorder().pixelDrawingNow().transfer, pixels);
     });
 }
 

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "compat/openrt/guard.h"
 #include "compat/openrt/image_formats.h"
 #include "compat/openrt/texture_images.h"
+#include "compat/recorder/pixel_unpack.h"
 #include "openrt/rt_textures.h"
 
 using namespace smart;
@@ -64,26 +66,58 @@ RTint rounded(RTfloat param) {
     return std::fabs(param) < 0x1p30f ? RTint(std::floor(param + 0.5f)) : -1;
 }
 
+TexturePixels pixelsOf(Context& c, RTenum format, RTenum type, const void* pixels) {
+    return {pixels, colorLayoutOf(format, type), c.recorder().pixelStore(),
+            c.recorder().pixelDrawingNow().transfer};
+}
+
 /// The application's memory is read when the call is made, also for display lists.
 void texImage(const char* function, RTenum target, const TextureImageCall& call, RTenum format,
               RTenum type, const void* pixels) noexcept {
     TextureImagePtr image;
     bool made = false;
     guarded(function, [&](Context& c) {
-        const PixelStore& store = c.recorder().pixelStore();
         checkTextureTarget(target, call.target);
-        image = makeTextureImage(call, {pixels, pixelOrderOf(format), texelTypeOf(type)}, store);
+        image = makeTextureImage(call, pixelsOf(c, format, type, pixels));
         made = true;
     });
     if (made) recorded(function, [=](Context& c) { setTextureImage(c, call, image); });
 }
 
+/// A part for a display list, which does not know yet what kind of image it will go into.
+struct KeptPart {
+    std::vector<std::byte> texels; ///< red, green, blue, alpha; empty: there is nothing to replace
+    TexelType type;
+
+    KeptPart(const TexturePartCall& call, const TexturePixels& pixels)
+        : type(texelTypeFor(pixels.layout)) {
+        const auto fits = [](RTsizei side) {
+            return side > 0 && uint32_t(side) <= TextureStore::kMaxSize;
+        };
+        if (!fits(call.width) || !fits(call.height)) return;
+        requirePointer(pixels.pixels, "pixels");
+        texels = unpackImage(
+            {pixels.pixels, uint32_t(call.width), uint32_t(call.height), pixels.layout},
+            pixels.store, 4, type, TexelFormat::ByChannels, pixels.transfer);
+    }
+    TexturePixels pixels() const {
+        return {texels.empty() ? nullptr : texels.data(), rgbaLayoutOf(type), {.alignment = 1}};
+    }
+};
+
 void texSubImage(const char* function, RTenum target, const TexturePartCall& call, RTenum format,
                  RTenum type, const void* pixels) noexcept {
+    std::shared_ptr<const KeptPart> kept;
     guarded(function, [&](Context& c) {
         checkTextureTarget(target, call.target);
-        replaceTexturePart(c, call, {pixels, pixelOrderOf(format), texelTypeOf(type)});
+        const TexturePixels given = pixelsOf(c, format, type, pixels);
+        if (c.lists().recording())
+            kept = std::make_shared<const KeptPart>(call, given);
+        else
+            replaceTexturePart(c, call, given);
     });
+    if (kept)
+        recorded(function, [=](Context& c) { replaceTexturePart(c, call, kept->pixels()); });
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "compat/openrt/image_formats.h"
 
+#include <optional>
+
 #include "compat/openrt/guard.h"
 
 namespace smart::compat {
@@ -75,6 +77,8 @@ InternalFormat internalFormatOf(RTint format) {
     }
 }
 
+namespace {
+
 PixelOrder pixelOrderOf(RTenum format) {
     switch (format) {
     case RT_LUMINANCE: return PixelOrder::Luminance;
@@ -87,38 +91,66 @@ PixelOrder pixelOrderOf(RTenum format) {
     case RT_GREEN: return PixelOrder::Green;
     case RT_BLUE: return PixelOrder::Blue;
     case RT_ALPHA: return PixelOrder::Alpha;
+    case RT_DEPTH_COMPONENT: return PixelOrder::Depth;
     case RT_COLOR_INDEX:
-    case RT_STENCIL_INDEX:
-    case RT_DEPTH_COMPONENT: notInRelease("this pixel format");
+    case RT_STENCIL_INDEX: notInRelease("this pixel format");
     default: throwError(ErrorCode::InvalidEnum, "unknown pixel format");
     }
 }
 
-TexelType texelTypeOf(RTenum type) {
+std::optional<PixelFields> pixelFieldsOf(RTenum type) {
     switch (type) {
-    case RT_UNSIGNED_BYTE: return TexelType::Byte;
-    case RT_UNSIGNED_SHORT: return TexelType::Short;
-    case RT_HALF_FLOAT: return TexelType::Half;
-    case RT_FLOAT: return TexelType::Float;
-    case RT_BYTE:
-    case RT_SHORT:
-    case RT_INT:
-    case RT_UNSIGNED_INT:
-    case RT_BITMAP:
-    case RT_UNSIGNED_BYTE_3_3_2:
-    case RT_UNSIGNED_SHORT_4_4_4_4:
-    case RT_UNSIGNED_SHORT_5_5_5_1:
-    case RT_UNSIGNED_INT_8_8_8_8:
-    case RT_UNSIGNED_INT_10_10_10_2:
-    case RT_UNSIGNED_BYTE_2_3_3_REV:
-    case RT_UNSIGNED_SHORT_5_6_5:
-    case RT_UNSIGNED_SHORT_5_6_5_REV:
-    case RT_UNSIGNED_SHORT_4_4_4_4_REV:
-    case RT_UNSIGNED_SHORT_1_5_5_5_REV:
-    case RT_UNSIGNED_INT_8_8_8_8_REV:
-    case RT_UNSIGNED_INT_2_10_10_10_REV: notInRelease("this pixel type");
+    case RT_UNSIGNED_BYTE_3_3_2: return PixelFields{1, 3, {3, 3, 2}, false};
+    case RT_UNSIGNED_BYTE_2_3_3_REV: return PixelFields{1, 3, {2, 3, 3}, true};
+    case RT_UNSIGNED_SHORT_5_6_5: return PixelFields{2, 3, {5, 6, 5}, false};
+    case RT_UNSIGNED_SHORT_5_6_5_REV: return PixelFields{2, 3, {5, 6, 5}, true};
+    case RT_UNSIGNED_SHORT_4_4_4_4: return PixelFields{2, 4, {4, 4, 4, 4}, false};
+    case RT_UNSIGNED_SHORT_4_4_4_4_REV: return PixelFields{2, 4, {4, 4, 4, 4}, true};
+    case RT_UNSIGNED_SHORT_5_5_5_1: return PixelFields{2, 4, {5, 5, 5, 1}, false};
+    case RT_UNSIGNED_SHORT_1_5_5_5_REV: return PixelFields{2, 4, {1, 5, 5, 5}, true};
+    case RT_UNSIGNED_INT_8_8_8_8: return PixelFields{4, 4, {8, 8, 8, 8}, false};
+    case RT_UNSIGNED_INT_8_8_8_8_REV: return PixelFields{4, 4, {8, 8, 8, 8}, true};
+    case RT_UNSIGNED_INT_10_10_10_2: return PixelFields{4, 4, {10, 10, 10, 2}, false};
+    case RT_UNSIGNED_INT_2_10_10_10_REV: return PixelFields{4, 4, {2, 10, 10, 10}, true};
+    default: return std::nullopt;
+    }
+}
+
+PixelType pixelTypeOf(RTenum type) {
+    switch (type) {
+    case RT_BYTE: return PixelType::Byte;
+    case RT_UNSIGNED_BYTE: return PixelType::UnsignedByte;
+    case RT_SHORT: return PixelType::Short;
+    case RT_UNSIGNED_SHORT: return PixelType::UnsignedShort;
+    case RT_INT: return PixelType::Int;
+    case RT_UNSIGNED_INT: return PixelType::UnsignedInt;
+    case RT_HALF_FLOAT: return PixelType::Half;
+    case RT_FLOAT: return PixelType::Float;
+    case RT_BITMAP: throwError(ErrorCode::InvalidEnum, "bitmaps hold indices, not colours");
     default: throwError(ErrorCode::InvalidEnum, "unknown pixel type");
     }
+}
+
+} // namespace
+
+PixelLayout pixelLayoutOf(RTenum format, RTenum type) {
+    PixelLayout layout;
+    layout.order = pixelOrderOf(format);
+    const std::optional<PixelFields> fields = pixelFieldsOf(type);
+    layout.type = fields ? PixelType::Fields : pixelTypeOf(type);
+    if (!fields) return layout;
+    layout.fields = *fields;
+    const bool fits = fields->count == 3 ? layout.order == PixelOrder::Rgb
+                                         : layout.order == PixelOrder::Rgba ||
+                                               layout.order == PixelOrder::Bgra;
+    if (!fits) throwError(ErrorCode::InvalidOperation, "the type does not fit the format");
+    return layout;
+}
+
+PixelLayout colorLayoutOf(RTenum format, RTenum type) {
+    const PixelLayout layout = pixelLayoutOf(format, type);
+    if (layout.order == PixelOrder::Depth) notInRelease("this pixel format");
+    return layout;
 }
 
 TextureWrap textureWrapOf(RTint wrap) {

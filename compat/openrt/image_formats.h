@@ -2,7 +2,7 @@
 // OpenGL's names of image formats, and what they name inside. Functions throw Error for others.
 #pragma once
 
-#include "compat/recorder/pixel_unpack.h"
+#include "compat/recorder/pixel_layout.h"
 #include "compat/recorder/texture_store.h"
 #include "libsmart/shading/texture.h"
 #include "openrt/types.h"
@@ -15,8 +15,10 @@ struct InternalFormat {
     TexelFormat format = TexelFormat::ByChannels;
 };
 InternalFormat internalFormatOf(RTint format);
-PixelOrder pixelOrderOf(RTenum format);
-TexelType texelTypeOf(RTenum type);
+/// Colours, or depths.
+PixelLayout pixelLayoutOf(RTenum format, RTenum type);
+/// Colours.
+PixelLayout colorLayoutOf(RTenum format, RTenum type);
 TextureWrap textureWrapOf(RTint wrap);
 RTenum tokenOf(TextureWrap wrap);
 /// A value of RT_TEXTURE_MAG_FILTER, of RT_TEXTURE_MIN_FILTER.

@@ -31,14 +31,14 @@ std::optional<StateValue> pixelValue(const Recorder& recorder, RTenum name) {
     switch (name) {
     case RT_ZOOM_X: return number(drawing.zoom.x);
     case RT_ZOOM_Y: return number(drawing.zoom.y);
-    case RT_RED_SCALE: return number(double(drawing.scale.r));
-    case RT_GREEN_SCALE: return number(double(drawing.scale.g));
-    case RT_BLUE_SCALE: return number(double(drawing.scale.b));
-    case RT_ALPHA_SCALE: return number(double(drawing.scale.a));
-    case RT_RED_BIAS: return number(double(drawing.bias.r));
-    case RT_GREEN_BIAS: return number(double(drawing.bias.g));
-    case RT_BLUE_BIAS: return number(double(drawing.bias.b));
-    case RT_ALPHA_BIAS: return number(double(drawing.bias.a));
+    case RT_RED_SCALE: return number(double(drawing.transfer.scale.r));
+    case RT_GREEN_SCALE: return number(double(drawing.transfer.scale.g));
+    case RT_BLUE_SCALE: return number(double(drawing.transfer.scale.b));
+    case RT_ALPHA_SCALE: return number(double(drawing.transfer.scale.a));
+    case RT_RED_BIAS: return number(double(drawing.transfer.bias.r));
+    case RT_GREEN_BIAS: return number(double(drawing.transfer.bias.g));
+    case RT_BLUE_BIAS: return number(double(drawing.transfer.bias.b));
+    case RT_ALPHA_BIAS: return number(double(drawing.transfer.bias.a));
     case RT_DEPTH_SCALE: return number(1);
     case RT_DEPTH_BIAS:
     case RT_MAP_COLOR:

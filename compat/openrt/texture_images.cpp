@@ -36,6 +36,15 @@ void checkBorder(RTint border) {
         throwError(ErrorCode::InvalidOperation, "texture borders are not part of this release");
 }
 
+TextureImage imageOf(const TexturePixels& pixels, RTsizei width, RTsizei height,
+                     const InternalFormat& internal) {
+    const ImageSource source{pixels.pixels, uint32_t(width), uint32_t(height), pixels.layout};
+    const TexelType type = texelTypeFor(pixels.layout);
+    return {source.width, source.height, internal.channels, type, internal.srgb,
+            unpackImage(source, pixels.store, internal.channels, type, internal.format,
+                        pixels.transfer)};
+}
+
 } // namespace
 
 void checkTextureImage(const TextureImageCall& call) {
@@ -55,16 +64,12 @@ void checkTexturePart(Context& context, const TexturePartCall& call) {
         throwError(ErrorCode::InvalidValue, "the part does not lie inside the image");
 }
 
-TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels,
-                                 const PixelStore& store) {
+TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels) {
     checkTextureImage(call);
     if (call.width == 0 || call.height == 0) return nullptr;
     const InternalFormat internal = internalFormatOf(call.internalFormat);
-    const ImageSource source{pixels.pixels, uint32_t(call.width), uint32_t(call.height),
-                             pixels.order, pixels.type};
     return std::make_shared<const TextureImage>(
-        source.width, source.height, internal.channels, pixels.type, internal.srgb,
-        unpackImage(source, store, internal.channels, internal.format));
+        imageOf(pixels, call.width, call.height, internal));
 }
 
 void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image) {
@@ -74,14 +79,8 @@ void setTextureImage(Context& context, const TextureImageCall& call, TextureImag
                                            call.target);
 }
 
-void defineTextureImage(Context& context, const TextureImageCall& call,
-                        const TexturePixels& pixels, const PixelStore* store) {
-    const PixelStore& unpack = context.recorder().pixelStore();
-    setTextureImage(context, call, makeTextureImage(call, pixels, store ? *store : unpack));
-}
-
 void replaceTexturePart(Context& context, const TexturePartCall& call,
-                        const TexturePixels& pixels, const PixelStore* store) {
+                        const TexturePixels& pixels) {
     TextureStore& textures = context.recorder().textures();
     checkTexturePart(context, call);
     if (call.width == 0 || call.height == 0) return;
@@ -89,12 +88,7 @@ void replaceTexturePart(Context& context, const TexturePartCall& call,
     const auto level = uint32_t(call.level);
     const TextureLevelInfo info = textures.info(level, call.target);
     const InternalFormat internal = internalFormatOf(info.internalFormat);
-    const ImageSource source{pixels.pixels, uint32_t(call.width), uint32_t(call.height),
-                             pixels.order, pixels.type};
-    const TextureImage part(source.width, source.height, info.channels, pixels.type,
-                            internal.srgb,
-                            unpackImage(source, store ? *store : context.recorder().pixelStore(),
-                                        info.channels, internal.format));
+    const TextureImage part = imageOf(pixels, call.width, call.height, internal);
     textures.setImage(level,
                       std::make_shared<const TextureImage>(textures.image(level, call.target)->withPart(
                           uint32_t(call.xoffset), uint32_t(call.yoffset), part)),

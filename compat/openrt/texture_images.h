@@ -11,8 +11,9 @@ namespace smart::compat {
 /// The pixels of a call, as many as it names.
 struct TexturePixels {
     const void* pixels; ///< nullptr: zeros, or nothing to replace
-    PixelOrder order;
-    TexelType type;
+    PixelLayout layout;
+    PixelStore store;
+    PixelTransfer transfer = {};
 };
 
 struct TextureImageCall {
@@ -31,17 +32,12 @@ struct TexturePartCall {
 void checkTextureImage(const TextureImageCall& call);
 void checkTexturePart(Context& context, const TexturePartCall& call);
 
-/// The image that the call defines, after the check; nullptr: none, as a side is 0. `store`: how
-/// the pixels lie.
-TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels,
-                                 const PixelStore& store);
+/// The image that the call defines, after the check; nullptr: none, as a side is 0.
+TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels);
 /// A level of the bound texture anew.
 void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image);
-/// Both. `store` nullptr: as the unpack state says.
-void defineTextureImage(Context& context, const TextureImageCall& call,
-                        const TexturePixels& pixels, const PixelStore* store = nullptr);
 /// A part of a level anew, after the check.
 void replaceTexturePart(Context& context, const TexturePartCall& call,
-                        const TexturePixels& pixels, const PixelStore* store = nullptr);
+                        const TexturePixels& pixels);
 
 } // namespace smart::compat

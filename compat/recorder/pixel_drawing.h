@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "compat/recorder/pixel_transfer.h"
 #include "libsmart/shading/fixed_function.h"
 
 namespace smart::compat {
@@ -24,7 +25,7 @@ struct RasterPosition {
 struct PixelDrawing {
     RasterPosition raster;
     glm::dvec2 zoom{1.0};
-    glm::vec4 scale{1.0f}, bias{0.0f}; ///< red, green, blue, alpha
+    PixelTransfer transfer;
 };
 
 } // namespace smart::compat

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "libsmart/base/half.h"
+
 namespace smart::compat {
 
 namespace {
@@ -13,43 +15,22 @@ double clamped(double value) {
     return value > 0.0 ? std::min(value, 1.0) : 0.0; // NaN: 0
 }
 
-uint32_t componentsOf(PackOrder order) {
-    switch (order) {
-    case PackOrder::LuminanceAlpha: return 2;
-    case PackOrder::Rgb:
-    case PackOrder::Bgr: return 3;
-    case PackOrder::Rgba:
-    case PackOrder::Bgra: return 4;
-    default: return 1;
-    }
-}
-
-std::size_t bytesOf(PackType type) {
-    switch (type) {
-    case PackType::Byte:
-    case PackType::UnsignedByte: return 1;
-    case PackType::Short:
-    case PackType::UnsignedShort: return 2;
-    default: return 4;
-    }
-}
-
-void components(const glm::vec4& c, float depth, PackOrder order, double (&out)[4]) {
+void components(const glm::vec4& c, float depth, PixelOrder order, double (&out)[4]) {
     const auto set = [&](double a, double b = 0, double d = 0, double e = 0) {
         out[0] = a, out[1] = b, out[2] = d, out[3] = e;
     };
     switch (order) {
-    case PackOrder::Red: return set(c.r);
-    case PackOrder::Green: return set(c.g);
-    case PackOrder::Blue: return set(c.b);
-    case PackOrder::Alpha: return set(c.a);
-    case PackOrder::Luminance: return set(clamped(double(c.r) + c.g + c.b));
-    case PackOrder::LuminanceAlpha: return set(clamped(double(c.r) + c.g + c.b), c.a);
-    case PackOrder::Rgb: return set(c.r, c.g, c.b);
-    case PackOrder::Bgr: return set(c.b, c.g, c.r);
-    case PackOrder::Rgba: return set(c.r, c.g, c.b, c.a);
-    case PackOrder::Bgra: return set(c.b, c.g, c.r, c.a);
-    case PackOrder::Depth: return set(depth);
+    case PixelOrder::Red: return set(c.r);
+    case PixelOrder::Green: return set(c.g);
+    case PixelOrder::Blue: return set(c.b);
+    case PixelOrder::Alpha: return set(c.a);
+    case PixelOrder::Luminance: return set(clamped(double(c.r) + c.g + c.b));
+    case PixelOrder::LuminanceAlpha: return set(clamped(double(c.r) + c.g + c.b), c.a);
+    case PixelOrder::Rgb: return set(c.r, c.g, c.b);
+    case PixelOrder::Bgr: return set(c.b, c.g, c.r);
+    case PixelOrder::Rgba: return set(c.r, c.g, c.b, c.a);
+    case PixelOrder::Bgra: return set(c.b, c.g, c.r, c.a);
+    case PixelOrder::Depth: return set(depth);
     }
 }
 
@@ -72,26 +53,23 @@ void put(std::byte* to, Number number, bool swap) {
     std::memcpy(to, bytes, sizeof number);
 }
 
-void putComponent(std::byte* to, double value, PackType type, bool swap) {
+void putComponent(std::byte* to, double value, PixelType type, bool swap) {
     switch (type) {
-    case PackType::Byte: return put(to, int8_t(toSigned(value, 8)), false);
-    case PackType::UnsignedByte: return put(to, uint8_t(toBits(value, 8)), false);
-    case PackType::Short: return put(to, int16_t(toSigned(value, 16)), swap);
-    case PackType::UnsignedShort: return put(to, uint16_t(toBits(value, 16)), swap);
-    case PackType::Int: return put(to, int32_t(toSigned(value, 32)), swap);
-    case PackType::UnsignedInt: return put(to, toBits(value, 32), swap);
+    case PixelType::Byte: return put(to, int8_t(toSigned(value, 8)), false);
+    case PixelType::UnsignedByte: return put(to, uint8_t(toBits(value, 8)), false);
+    case PixelType::Short: return put(to, int16_t(toSigned(value, 16)), swap);
+    case PixelType::UnsignedShort: return put(to, uint16_t(toBits(value, 16)), swap);
+    case PixelType::Int: return put(to, int32_t(toSigned(value, 32)), swap);
+    case PixelType::UnsignedInt: return put(to, toBits(value, 32), swap);
+    case PixelType::Half: return put(to, floatToHalf(float(value)), swap);
     default: return put(to, float(value), swap);
     }
 }
 
-void putFields(std::byte* to, const double (&values)[4], const PackFields& fields, bool swap) {
+void putFields(std::byte* to, const double (&values)[4], const PixelFields& fields, bool swap) {
     uint32_t number = 0;
-    int shift = fields.bytes * 8;
-    for (int i = 0; i < fields.count; ++i) { // from the highest field down
-        const int component = fields.reversed ? fields.count - 1 - i : i;
-        shift -= fields.bits[i];
-        number |= toBits(values[component], fields.bits[i]) << shift;
-    }
+    for (uint32_t i = 0; i < fields.count; ++i)
+        number |= toBits(values[i], fields.bitsOf(i)) << fields.shiftOf(i);
     if (fields.bytes == 1) return put(to, uint8_t(number), false);
     if (fields.bytes == 2) return put(to, uint16_t(number), swap);
     put(to, number, swap);
@@ -99,36 +77,30 @@ void putFields(std::byte* to, const double (&values)[4], const PackFields& field
 
 } // namespace
 
-void packPixels(const Picture& picture, const ReadArea& area, const PackFormat& format,
-                const PixelStore& store, const glm::vec4& scale, const glm::vec4& bias, void* to) {
-    const bool fields = format.type == PackType::Fields;
-    const std::size_t element = fields ? format.fields.bytes : bytesOf(format.type);
-    const std::size_t pixel = fields ? element : element * componentsOf(format.order);
-    const std::size_t row = (store.rowLength != 0 ? store.rowLength : area.width) * pixel;
-    const std::size_t alignment = std::max<std::size_t>(store.alignment, 1);
-    const std::size_t stride =
-        element >= alignment ? row : (row + alignment - 1) / alignment * alignment;
-    std::byte* const first =
-        static_cast<std::byte*>(to) + store.skipRows * stride + store.skipPixels * pixel;
+void packPixels(const Picture& picture, const ReadArea& area, const PixelLayout& layout,
+                const PixelStore& store, const PixelTransfer& transfer, void* to) {
+    const std::size_t element = layout.elementBytes(), pixel = layout.pixelBytes();
+    const PixelRows rows = rowsOf(layout, area.width, store);
+    std::byte* const first = static_cast<std::byte*>(to) + rows.offset;
     const int64_t startX = std::max<int64_t>(area.x, 0), startY = std::max<int64_t>(area.y, 0);
     const int64_t endX = std::min<int64_t>(int64_t(area.x) + area.width, picture.target.width);
     const int64_t endY = std::min<int64_t>(int64_t(area.y) + area.height, picture.target.height);
     for (int64_t y = startY; y < endY; ++y)
         for (int64_t x = startX; x < endX; ++x) {
-            std::byte* at = first + std::size_t(y - area.y) * stride +
+            std::byte* at = first + std::size_t(y - area.y) * rows.stride +
                             std::size_t(x - area.x) * pixel;
             double values[4];
-            if (format.order == PackOrder::Depth)
-                components({}, picture.depthAt(uint32_t(x), uint32_t(y)), format.order, values);
+            if (layout.order == PixelOrder::Depth)
+                components({}, picture.depthAt(uint32_t(x), uint32_t(y)), layout.order, values);
             else
-                components(picture.colorAt(uint32_t(x), uint32_t(y)) * scale + bias, 0.0f,
-                           format.order, values);
-            if (fields) {
-                putFields(at, values, format.fields, store.swapBytes);
+                components(transfer(picture.colorAt(uint32_t(x), uint32_t(y))), 0.0f, layout.order,
+                           values);
+            if (layout.type == PixelType::Fields) {
+                putFields(at, values, layout.fields, store.swapBytes);
                 continue;
             }
-            for (uint32_t i = 0; i < componentsOf(format.order); ++i)
-                putComponent(at + i * element, values[i], format.type, store.swapBytes);
+            for (uint32_t i = 0; i < layout.components(); ++i)
+                putComponent(at + i * element, values[i], layout.type, store.swapBytes);
         }
 }
 

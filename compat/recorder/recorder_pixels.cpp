@@ -112,8 +112,8 @@ void Recorder::drawPixels(std::shared_ptr<const ImagePixels> pixels) {
     image.pixels = std::move(pixels);
     image.corner = raster.window;
     image.zoom = pixelDrawing_.zoom;
-    image.scale = pixelDrawing_.scale;
-    image.bias = pixelDrawing_.bias;
+    image.scale = pixelDrawing_.transfer.scale;
+    image.bias = pixelDrawing_.transfer.bias;
     addImage(std::move(image));
 }
 

@@ -79,7 +79,8 @@ RTAPI void RTAPIENTRY rtBitmap(RTsizei width, RTsizei height, RTfloat xorig, RTf
  * Errors:  RT_INVALID_VALUE      a negative size, pixels NULL
  *          RT_INVALID_ENUM       unknown format or type
  *          RT_INVALID_OPERATION  a format or type that this release has not: depths and stencil
- *                                values are not drawn
+ *                                values are not drawn; a type of fields that does not fit the
+ *                                format
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDrawPixels(RTsizei width, RTsizei height, RTenum format, RTenum type,
                                    const void *pixels);
@@ -89,8 +90,8 @@ RTAPI void RTAPIENTRY rtDrawPixels(RTsizei width, RTsizei height, RTenum format,
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtPixelZoom(RTfloat xfactor, RTfloat yfactor);
 
-/* RT_RED_SCALE, _BIAS and so on to RT_ALPHA_: colours that rtDrawPixels draws are multiplied by
- * the scale, and the bias is added. RT_MAP_COLOR, RT_MAP_STENCIL, RT_INDEX_SHIFT, RT_INDEX_OFFSET,
+/* RT_RED_SCALE, _BIAS and so on to RT_ALPHA_: colours that are drawn by rtDrawPixels, read by
+ * rtReadPixels or go into textures are multiplied by the scale, and the bias is added. RT_MAP_COLOR, RT_MAP_STENCIL, RT_INDEX_SHIFT, RT_INDEX_OFFSET,
  * RT_DEPTH_SCALE and RT_DEPTH_BIAS have the values that they start with and no others.
  * Errors:  RT_INVALID_ENUM       unknown name
  *          RT_INVALID_OPERATION  another value of one of the latter

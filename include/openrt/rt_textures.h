@@ -41,10 +41,15 @@ RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture);
  *   internalFormat  1 to 4; RT_LUMINANCE, RT_LUMINANCE_ALPHA, RT_RGB, RT_RGBA and their sized
  *                   forms; RT_SRGB, RT_SRGB8, RT_SRGB_ALPHA, RT_SRGB8_ALPHA8: the colours, not
  *                   alpha, are sRGB-encoded
- *   format          RT_RGB, RT_RGBA, RT_BGR, RT_BGRA, RT_LUMINANCE, RT_LUMINANCE_ALPHA
- *   type            RT_UNSIGNED_BYTE, RT_UNSIGNED_SHORT (0..1); RT_HALF_FLOAT, RT_FLOAT (kept as
- *                   given, so that environments may be brighter than 1)
- * Texels are kept in the precision of `type`. An image with a side of 0 is none.
+ *   format          RT_RGB, RT_RGBA, RT_BGR, RT_BGRA, RT_LUMINANCE, RT_LUMINANCE_ALPHA, RT_RED,
+ *                   RT_GREEN, RT_BLUE, RT_ALPHA
+ *   type            whole numbers of 8, 16 and 32 bits, which stand for 0..1, signed ones for
+ *                   -1..1 (negative texels become 0); all components in one number, as
+ *                   RT_UNSIGNED_SHORT_5_6_5 and RT_UNSIGNED_INT_8_8_8_8_REV; RT_HALF_FLOAT and
+ *                   RT_FLOAT (kept as given, so that environments may be brighter than 1)
+ * Scales and biases of rtPixelTransfer are applied first, those of now also in a display list.
+ * Texels are kept in the precision of `type`, in 16 bits if that has 32. An image with a side of 0
+ * is none.
  *
  * Mipmaps are the levels after RT_TEXTURE_BASE_LEVEL, each with half the sides of the one before,
  * rounded down, to a single texel or RT_TEXTURE_MAX_LEVEL. They are given one by one, or made by
@@ -55,7 +60,7 @@ RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture);
  * Errors:  RT_INVALID_ENUM       target, format or type is no such token
  *          RT_INVALID_VALUE      size, level, border or internalFormat out of range
  *          RT_INVALID_OPERATION  a target, border, format or type that OpenGL has and this release
- *                                has not
+ *                                has not; a type of fields that does not fit the format
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTsizei height, RTint border, RTenum format, RTenum type,

@@ -76,7 +76,9 @@ static RTuint imageIndex(void) {
     return image(0, RT_RGB, 1, 0, RT_COLOR_INDEX, RT_UNSIGNED_BYTE);
 }
 static RTuint imageType(void) { return image(0, RT_RGB, 1, 0, RT_RGB, 0xABCD); }
-static RTuint imageInt(void) { return image(0, RT_RGB, 1, 0, RT_RGB, RT_INT); }
+static RTuint imageFields(void) {
+    return image(0, RT_RGB, 1, 0, RT_RGBA, RT_UNSIGNED_SHORT_5_6_5);
+}
 static RTuint part(RTint level, RTint x, RTsizei width, RTenum format, RTenum type,
                    const void *pixels) {
     rtTexSubImage2D(RT_TEXTURE_2D, level, x, 0, width, 1, format, type, pixels);
@@ -203,14 +205,14 @@ int main(void) {
         MISUSE(imageFormat, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(imageIndex, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(imageType, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(imageInt, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(imageFields, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(partLevel, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(partNoLevel, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(partLeft, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(partRight, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(partNegative, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(partFormat, OUTSIDE, RT_INVALID_ENUM),
-        MISUSE(partType, OUTSIDE, RT_INVALID_OPERATION),
+        MISUSE(partType, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(partNull, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(parameterName, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(parameterValue, OUTSIDE, RT_INVALID_ENUM),
