@@ -461,6 +461,8 @@ def main():
     if options.text:
         text = options.text.read_text()
         for name, body in tables.items():
+            if body.count("\n") < 2:  # no rows: these files do not tell, and the text keeps its own
+                continue
             text = re.sub(rf"(<!-- table {name} -->\n).*?(<!-- end -->)",
                           lambda match, body=body: match[1] + body + "\n" + match[2], text,
                           flags=re.S)

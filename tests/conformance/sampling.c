@@ -131,6 +131,32 @@ static void borders(void) {
     glDisable(GL_TEXTURE_2D);
 }
 
+/* All around an image; filters take whole quarters of texels. */
+static void wraps(void) {
+    static const struct {
+        const char* name;
+        GLint wrap;
+    } cases[] = {{"clamp", GL_CLAMP},
+                 {"clamp_to_edge", GL_CLAMP_TO_EDGE},
+                 {"clamp_to_border", GL_CLAMP_TO_BORDER},
+                 {"repeat", GL_REPEAT},
+                 {"mirrored_repeat", GL_MIRRORED_REPEAT}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        char name[64];
+        snprintf(name, sizeof name, "wrap/%s", cases[i].name);
+        beginCase(name);
+        clearBoth();
+        useImage(GL_RGB, 4, cases[i].wrap);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        rectangle(-1.5f, -1.5f, 2.5f, 2.5f);
+        readWindow();
+        for (int y = 0; y < kWindow; ++y)
+            for (int x = 0; x < kWindow; ++x) tellPixel(x, y);
+    }
+    glDisable(GL_TEXTURE_2D);
+}
+
 /* Each level has another colour: of a channel, so that two units can be told from each other. */
 static void useLevels(int unit) {
     static GLubyte image[kSide * kSide][4];
@@ -227,7 +253,7 @@ static void tellLevelsNear(int x, int y) {
 /* A floor, in a viewport that begins elsewhere. */
 static void perspective(void) {
     static const GLint viewports[][4] = {
-        {0, 0, 32, 32}, {3, 9, 28, 22}, {-5, -40, 40, 90}, {7, 2, 20, 29}};
+        {0, 0, 32, 32}, {3, 9, 28, 22}, {-5, -40, 40, 90}, {7, 2, 20, 29}, {-60, -10, 100, 42}};
     static const GLfloat scales[3] = {0.5f, 1.2f, 2.4f};
     useLevels(0);
     useLevels(1);
@@ -320,6 +346,58 @@ static double shareOf(Place from, Place to, double width, int x, int y) {
             inside += along >= 0 && along < length && fabs(across) < width / 2;
         }
     return (double)inside / (kParts * kParts);
+}
+
+/* The share of a pixel that lies in a point's disc. */
+static double shareOfDisc(Place center, double size, int x, int y) {
+    enum { kParts = 32 };
+    int inside = 0;
+    for (int j = 0; j < kParts; ++j)
+        for (int i = 0; i < kParts; ++i) {
+            const double dx = x + (i + 0.5) / kParts - center.x;
+            const double dy = y + (j + 0.5) / kParts - center.y;
+            inside += dx * dx + dy * dy < size * size / 4;
+        }
+    return (double)inside / (kParts * kParts);
+}
+
+/* OpenGL wants the share of each pixel. Mesa's discs are about half a pixel smaller, so that only
+ * what lies well inside or outside is asked for, and that there is something in between. */
+static void smoothPoints(void) {
+    static const struct {
+        Place center;
+        GLfloat size;
+    } cases[] = {{{10.3, 21.7}, 9.0f}, {{16.0, 15.5}, 4.0f}, {{7.5, 8.5}, 13.0f}, {{20.2, 4.1}, 2.5f}};
+    glColor3f(1.0f, 1.0f, 1.0f);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_POINT_SMOOTH);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        char name[32];
+        snprintf(name, sizeof name, "smooth_point/%d", (int)i);
+        beginCase(name);
+        clearBoth();
+        glPointSize(cases[i].size);
+        glBegin(GL_POINTS);
+        glVertex2d(cases[i].center.x, cases[i].center.y);
+        glEnd();
+        readWindow();
+        int between = 0;
+        for (int y = 0; y < kWindow; ++y)
+            for (int x = 0; x < kWindow; ++x) {
+                const double share = shareOfDisc(cases[i].center, cases[i].size, x, y);
+                const double inner = shareOfDisc(cases[i].center, cases[i].size - 2.0, x, y);
+                const GLubyte seen = window[y][x][0];
+                if (inner == 1.0 && seen != 255) printf("%d %d is not whole\n", x, y);
+                if (share == 0.0 && seen != 0) printf("%d %d is not free\n", x, y);
+                if (share < 0.6 && seen > 220) printf("%d %d is too much\n", x, y);
+                between += seen > 30 && seen < 220;
+            }
+        printf("something in between: %d\n", kTellsAlternatives || between > 4);
+    }
+    glPointSize(1.0f);
+    glDisable(GL_POINT_SMOOTH);
+    glDisable(GL_BLEND);
 }
 
 /* OpenGL wants the share of each pixel, and lets implementations approximate it. */
@@ -447,6 +525,36 @@ static void roundedMeshes(void) {
     }
 }
 
+/* Triangles without neighbours whose edges run through the centres of pixels, in all orders of
+ * their corners: which of these pixels are theirs does not depend on it. */
+static void loneTriangles(void) {
+    static const GLfloat corners[4][3][2] = {{{4.5f, 4.5f}, {20.5f, 4.5f}, {4.5f, 20.5f}},
+                                             {{20.5f, 4.5f}, {20.5f, 20.5f}, {4.5f, 4.5f}},
+                                             {{20.5f, 20.5f}, {4.5f, 20.5f}, {20.5f, 4.5f}},
+                                             {{4.5f, 20.5f}, {4.5f, 4.5f}, {20.5f, 20.5f}}};
+    for (int way = 0; way < 4; ++way)
+        for (int first = 0; first < 3; ++first) {
+            char name[32];
+            snprintf(name, sizeof name, "lone_triangle/%d/%d", way, first);
+            beginCase(name);
+            clearBoth();
+            glColor3f(0.0f, 0.0f, 0.0f);
+            flat(-0.5f);
+            glColor3f(0.5f, 0.5f, 0.5f);
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+            glBegin(GL_TRIANGLES);
+            for (int i = 0; i < 3; ++i) glVertex2fv(corners[way][(first + i) % 3]);
+            glEnd();
+            glDisable(GL_BLEND);
+            readWindow();
+            for (int y = 0; y < kWindow; ++y) {
+                for (int x = 0; x < kWindow; ++x) putchar(window[y][x][0] > 76 ? 'x' : '.');
+                putchar('\n');
+            }
+        }
+}
+
 static void askQuestions(void) {
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -455,10 +563,13 @@ static void askQuestions(void) {
     glColor4f(1.0f, 1.0f, 1.0f, 1.0f);
     mirrors();
     borders();
+    wraps();
     levels();
     perspective();
     lines();
+    smoothPoints();
     smoothLines();
     seenThrough();
     roundedMeshes();
+    loneTriangles();
 }
