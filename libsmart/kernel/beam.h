@@ -86,6 +86,13 @@ struct alignas(64) SeenBoxes {
     float enter[3][kPacketSize], leave[3][kPacketSize];
 };
 
+/// The rays of a tile as bits: lane i of packet v is bit 16 v + i.
+inline uint32_t raysOf(uint64_t rays, int v) { return uint32_t(rays >> 16 * v) & 0xffffu; }
+inline uint32_t packetsOf(uint64_t rays) {
+    return uint32_t((rays & 0xffffu) != 0) | uint32_t((rays & 0xffff0000u) != 0) << 1 |
+           uint32_t((rays & 0xffffull << 32) != 0) << 2 | uint32_t(rays >> 48 != 0) << 3;
+}
+
 /// Rays of one group of a tile. A ray is the line that is at apex + z * (x and y slope) for each z,
 /// the coordinate along the dominant axis; depth w is |z|, and counts from the apex on.
 ///

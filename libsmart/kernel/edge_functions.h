@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Up to sixteen triangles of a leaf as a beam sees them: linear functions of a ray's slopes, with
+// Up to sixteen triangles of leaves as a beam sees them: linear functions of a ray's slopes, with
 // bounds of their errors. Where they can not decide, the exact test of the single ray does.
 #pragma once
 
-#include "libsmart/kernel/beam.h"
+#include "libsmart/kernel/leaf_group.h"
 
 namespace smart::SMART_ISA {
 
@@ -45,17 +45,19 @@ struct alignas(64) EdgeFunctions {
     float sure[N];                         ///< from this on: inside, if the depth decides too
     float nearer[N], farther[N]; ///< 1/w times these: its bounds, the larger one first
 
-    /// Which packets, bits of `packets`, may meet which triangles of a leaf nearer than
-    /// 1 / farthest[v]: bit 16 v + i for packet v and triangle i. Slack widens the triangles.
-    HWY_INLINE uint64_t setUp(const Beam& beam, const float* corners, uint32_t count,
-                              uint32_t packets, const float* farthest, float slack) {
+    /// Which packets may meet which triangles of those leaves nearer than 1 / farthest[v]: bit
+    /// 16 v + i for packet v and triangle i. Slack widens the triangles.
+    HWY_INLINE uint64_t setUp(const Beam& beam, const LeafGroup& leaves, const float* farthest,
+                              float slack) {
         uint64_t candidates = 0;
-        for (uint32_t first = 0; first < (kAtOnce < N ? count : 1u); first += kAtOnce)
-            candidates |= setUpSome(beam, corners, count, first, farthest, slack);
-        // Sixteen equal bits for each packet.
-        const uint64_t lowest = (packets & 1u) | uint64_t(packets & 2u) << 15 |
-                                uint64_t(packets & 4u) << 30 | uint64_t(packets & 8u) << 45;
-        return candidates & lowest * ((1u << count) - 1u);
+        for (uint32_t first = 0; first < (kAtOnce < N ? leaves.count() : 1u); first += kAtOnce)
+            candidates |= setUpSome(beam, leaves, first, farthest, slack);
+        return candidates & leaves.pairs();
+    }
+
+    /// 1 / depth at which rays of those slopes meet the plane of triangle i.
+    HWY_INLINE Real<N> inverseDepth(int i, const Real<N>& slopeX, const Real<N>& slopeY) const {
+        return Real<N>(depthZ[i]) + Real<N>(depthX[i]) * slopeX + Real<N>(depthY[i]) * slopeY;
     }
 
 private:
@@ -63,20 +65,18 @@ private:
     static constexpr int kAtOnce = kRegisterLanes;
 
     /// From triangle `first` on; bits beyond the last triangle are of any value.
-    HWY_INLINE uint64_t setUpSome(const Beam& beam, const float* corners, uint32_t count,
-                                  uint32_t first, const float* farthest, float slack);
+    HWY_INLINE uint64_t setUpSome(const Beam& beam, const LeafGroup& leaves, uint32_t first,
+                                  const float* farthest, float slack);
 };
 
-HWY_INLINE uint64_t EdgeFunctions::setUpSome(const Beam& beam, const float* corners,
-                                             uint32_t count, uint32_t first,
-                                             const float* farthest, float slack) {
+HWY_INLINE uint64_t EdgeFunctions::setUpSome(const Beam& beam, const LeafGroup& leaves,
+                                             uint32_t first, const float* farthest, float slack) {
     using R = Real<kAtOnce>;
     R px[3], py[3], pz[3];
     R m(0.0f), deep(0.0f);
     for (int c = 0; c < 3; ++c) {
-        const float* const vertex = corners + uint32_t(3 * c) * count + first;
         const auto seen = [&](int k) {
-            return R::loadUnaligned(vertex + uint32_t(beam.axis(k)) * count) - R(beam.apex(k));
+            return R::load(leaves.coordinates(c, beam.axis(k)) + first) - R(beam.apex(k));
         };
         pz[c] = seen(2);
         px[c] = seen(0) - R(beam.centre(0)) * pz[c];
@@ -130,7 +130,8 @@ HWY_INLINE uint64_t EdgeFunctions::setUpSome(const Beam& beam, const float* corn
     }
     const R nearest = (dz + magnitude(dx) * halfX + magnitude(dy) * halfY) * up;
     uint64_t candidates = 0;
-    for (int v = 0; v < kTileVectors; ++v) {
+    for (uint32_t rest = leaves.packets(); rest; rest &= rest - 1) {
+        const int v = lowestBit(rest);
         const R cx(beam.packetCentre(0, v)), cy(beam.packetCentre(1, v));
         Mask<kAtOnce> in = nearest + (dx * cx + dy * cy) * up >= R(farthest[v]);
         for (int e = 0; e < 3; ++e) in = in & (reach[e] + nx[e] * cx + ny[e] * cy >= zero);

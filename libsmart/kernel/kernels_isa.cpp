@@ -6,6 +6,7 @@
 #include "libsmart/kernel/intersect.h"
 #include "libsmart/kernel/hit_rounding.h"
 #include "libsmart/kernel/kernels.h"
+#include "libsmart/kernel/mixed_scene.h"
 #include "libsmart/kernel/ray_preparation.h"
 #include "libsmart/kernel/ray_streams.h"
 #include "libsmart/kernel/scene_traversal.h"
@@ -325,12 +326,18 @@ void occludedTile(const ModelView& scene, const RayPacket* packets, uint32_t cou
     }
 }
 
-/// Rays of a packet one by one.
+/// Rays of a packet that need have nothing in common.
 template <template <int> class Precision, HitMode M>
 void runApart(const ModelView& scene, const RayArrays& in, WorldRays<kPacketSize>& world,
               Search<kPacketSize, M, NoCounts>& query) {
     typename Precision<kPacketSize>::Rays rays;
     const uint32_t legal = prepare<Precision>(scene, in, rays, world, query);
+    if constexpr (!kIsPrecise<Precision>) {
+        if (startTogether(rays, legal, scene.childTree)) {
+            MixedScene<Precision, M>::model(scene, rays, legal, query);
+            return;
+        }
+    }
     SceneTraversal<Precision, kPacketSize, M, NoCounts>::oneByOne(scene, rays, legal, query);
 }
 

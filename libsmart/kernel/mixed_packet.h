@@ -14,6 +14,24 @@ struct alignas(64) PacketRays {
     uint32_t lanes; ///< those that carry a ray
 };
 
+/// Whether rays start close to each other, by the size of what they may meet: most of it they then
+/// have in common, and none goes alone for long.
+inline bool startTogether(const LocalRays<kPacketSize>& rays, uint32_t lanes, const BoxView& box) {
+    using R = Real<kPacketSize>;
+    constexpr float kSpread = 0x1p-4f;
+    const Mask<kPacketSize> on = Mask<kPacketSize>::fromBits(lanes);
+    const R inf(__builtin_inff()), none(-__builtin_inff());
+    float spread = 0, size = 0;
+    for (int k = 0; k < 3; ++k) {
+        const R org = R::load(rays.org[k]);
+        const float extent =
+            largestLane(select(on, org, none)) - smallestLane(select(on, org, inf));
+        spread = largerOf(spread, extent);
+        size = largerOf(size, box.hi[k] - box.lo[k]);
+    }
+    return spread <= kSpread * size;
+}
+
 /// What Shear is to rays of one dominant axis, lane by lane the same arithmetic.
 class MixedShear {
 public:

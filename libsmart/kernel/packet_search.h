@@ -7,6 +7,17 @@
 
 namespace smart::SMART_ISA {
 
+/// How far the boxes of a node are from a point, along the axis on which they are farthest.
+HWY_INLINE Real<kPacketSize> boxDistance(const WideNode& node, const float (&point)[3]) {
+    using R = Real<kPacketSize>;
+    R distance(0.0f);
+    for (int k = 0; k < 3; ++k) {
+        const R at(point[k]);
+        distance = max(distance, max(R::load(node.lo[k]) - at, at - R::load(node.hi[k])));
+    }
+    return distance;
+}
+
 template <template <int> class Precision>
 class PacketSearch {
 public:
@@ -14,7 +25,7 @@ public:
     using Packet = TravellingPacket<Precision, HitMode::Closest>;
     using Query = typename Packet::Query;
 
-    /// query: as the caller opens it; hits, if any, are in the place at hand.
+    /// query: as the caller opens it.
     PacketSearch(const ModelView& model, const PacketRays& rays, Query& query)
         : packet_(model, rays), query_(query) {
         const int some = lowestBit(rays.lanes);
@@ -36,6 +47,9 @@ public:
                 open(entry.child, lanes);
         }
     }
+
+    /// How far the rays look now.
+    Real<N> best() const { return Real<N>::load(best_); }
 
 private:
     /// See PacketOcclusion.
@@ -65,13 +79,7 @@ private:
         const Word<N> rows = packet_.meetChildren(node, lanes, far_, all);
         const Real<N> lo = Real<N>::load(node.lo[0]), hi = Real<N>::load(node.hi[0]);
         all &= (lo <= hi).bits();
-        Real<N> distance(0.0f);
-        for (int k = 0; k < 3; ++k) {
-            const Real<N> start(start_[k]);
-            distance = max(distance, max(Real<N>::load(node.lo[k]) - start,
-                                         start - Real<N>::load(node.hi[k])));
-        }
-        const Real<N> distinct = numbered(distance);
+        const Real<N> distinct = numbered(boxDistance(node, start_));
         alignas(64) float order[N];
         distinct.store(order);
         for (uint32_t rest = all; rest; rest &= rest - 1) {
@@ -114,7 +122,7 @@ private:
         if (isPlain) {
             const int i = lowestBit(hits.sure);
             best_[lane] = hits.t[i];
-            query_.triangle[lane] = block.number(uint32_t(i));
+            query_.keepTriangleOf(lane, block.number(uint32_t(i)));
         } else {
             const float before = best_[lane];
             best_[lane] = packet_.decide(block, lane, before, hits, query_);

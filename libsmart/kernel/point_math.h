@@ -80,19 +80,35 @@ static inline float squareSide(double area, double scale) {
     return isFiniteNumber(length) ? length : 0.0f;
 }
 
-/// The ray through a point given in pixels from the picture's lower left corner.
-template <bool hasEye, bool upright>
-static inline LensRay rayThrough(const MatrixLens& lens, double x, double y) {
+/// A homogeneous point, or what a coordinate adds to one.
+struct LensPoint {
+    Real3 xyz;
+    double w;
+};
+/// The near plane's point of a pixel is the sum of what its column gives and what its row adds.
+static inline LensPoint lensColumn(const MatrixLens& lens, double x) {
     const double across = (2.0 * (x - lens.left) - lens.width) * lens.pixelWidth;
+    const auto& m = lens.inverse;
+    return {{m[3][0] - m[2][0] + across * m[0][0], m[3][1] - m[2][1] + across * m[0][1],
+             m[3][2] - m[2][2] + across * m[0][2]},
+            m[3][3] - m[2][3] + across * m[0][3]};
+}
+static inline LensPoint lensRow(const MatrixLens& lens, double y) {
     const double up = (2.0 * (y - lens.bottom) - lens.height) * lens.pixelHeight;
+    const auto& m = lens.inverse;
+    return {{up * m[1][0], up * m[1][1], up * m[1][2]}, up * m[1][3]};
+}
+
+/// The ray through a point of the picture. Without `cones` the cone is zero.
+template <bool hasEye, bool upright, bool cones>
+static inline LensRay rayThrough(const MatrixLens& lens, const LensPoint& column,
+                                 const LensPoint& row) {
     // Homogeneous points of this pixel: near + s * step with s from 0 (near plane) to 2 (far).
     const auto& m = lens.inverse;
     const Real3 step{m[2][0], m[2][1], m[2][2]};
     const double stepW = m[2][3];
-    const Real3 near{m[3][0] - m[2][0] + across * m[0][0] + up * m[1][0],
-                     m[3][1] - m[2][1] + across * m[0][1] + up * m[1][1],
-                     m[3][2] - m[2][2] + across * m[0][2] + up * m[1][2]};
-    const double nearW = m[3][3] - m[2][3] + across * m[0][3] + up * m[1][3];
+    const Real3 near = column.xyz + row.xyz;
+    const double nearW = column.w + row.w;
     const double farW = nearW + 2.0 * stepW;
     // Which way the point moves as s grows: the derivative of xyz / w, times a positive number.
     const Real3 motion = step * nearW - near * stepW;
@@ -101,12 +117,15 @@ static inline LensRay rayThrough(const MatrixLens& lens, double x, double y) {
     const Real3 direction = motion * shrink;
     // A far plane at infinity, or beyond it, is no limit.
     const bool endless = !(farW * nearW > 0.0);
-    // A pixel's step to the side turns the ray by (w of the step) * motion's change / length, of
-    // which what points along the ray drops out.
-    const Real3 turning{lens.turning[0], lens.turning[1], lens.turning[2]};
-    const double turn = __builtin_fabs(dot(turning, motion)) * (shrink * shrink * shrink);
     LensRay ray;
-    ray.coneSpread = squareSide(turn, lens.sampleSide);
+    ray.coneWidth = ray.coneSpread = 0.0f;
+    if constexpr (cones) {
+        // A pixel's step to the side turns the ray by (w of the step) * motion's change / length,
+        // of which what points along the ray drops out.
+        const Real3 turning{lens.turning[0], lens.turning[1], lens.turning[2]};
+        const double turn = __builtin_fabs(dot(turning, motion)) * (shrink * shrink * shrink);
+        ray.coneSpread = squareSide(turn, lens.sampleSide);
+    }
     Real3 origin;
     if constexpr (hasEye) {
         origin = {lens.eye[0], lens.eye[1], lens.eye[2]};
@@ -120,18 +139,19 @@ static inline LensRay rayThrough(const MatrixLens& lens, double x, double y) {
         }
         ray.tNear = float(start > 0.0 ? start : 0.0);
         ray.tFar = float(endless ? __builtin_inf() : end);
-        ray.coneWidth = 0.0f;
     } else {
         const double nearer = 1.0 / nearW;
         origin = near * nearer;
         ray.tNear = 0.0f;
         const double range = 2.0 * length / __builtin_fabs(nearW * farW);
         ray.tFar = float(endless ? __builtin_inf() : range);
-        const Real3 right = (Real3{m[0][0], m[0][1], m[0][2]} - near * (m[0][3] * nearer)) * nearer;
-        const Real3 above = (Real3{m[1][0], m[1][1], m[1][2]} - near * (m[1][3] * nearer)) * nearer;
-        const double area = __builtin_fabs(dot(cross(right, above), motion)) * shrink *
-                            (2.0 * lens.pixelWidth) * (2.0 * lens.pixelHeight);
-        ray.coneWidth = squareSide(area, lens.sampleSide);
+        if constexpr (cones) {
+            const Real3 right = (Real3{m[0][0], m[0][1], m[0][2]} - near * (m[0][3] * nearer)) * nearer;
+            const Real3 above = (Real3{m[1][0], m[1][1], m[1][2]} - near * (m[1][3] * nearer)) * nearer;
+            const double area = __builtin_fabs(dot(cross(right, above), motion)) * shrink *
+                                (2.0 * lens.pixelWidth) * (2.0 * lens.pixelHeight);
+            ray.coneWidth = squareSide(area, lens.sampleSide);
+        }
     }
     ray.org[0] = float(origin.x);
     ray.org[1] = float(origin.y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Many packets of rays that have nothing in common. A scene that is one instance of a model without
-// children lets them take turns in the model's wide tree; elsewhere they go one by one.
+// children lets them take turns in the model's wide tree; for others see MixedScene.
 #pragma once
 
 #include "libsmart/kernel/ray_preparation.h"

@@ -46,7 +46,6 @@ public:
 
 private:
     static constexpr uint32_t kRays = 32;
-    static constexpr float kTogetherSpread = 0x1p-4f;
     static constexpr uint32_t kNothing = 0xFFFFFFFFu; ///< at the bottom of each stack
     /// What a packet leaves to a ray, what a ray alone pushes, and a whole group written behind it.
     static constexpr int kStack =
@@ -81,7 +80,7 @@ private:
         uint32_t name;
         if (!source_.next(packet, name)) return false;
         if (!packet.lanes) return true;
-        if (startsTogether(packet)) {
+        if (startTogether(packet.rays, packet.lanes, model_.wide)) {
             trace(packet, name);
             return true;
         }
@@ -155,22 +154,7 @@ private:
             Word<N>(query.currentPath[l]).store(query.path[l]);
     }
 
-    /// Whether the rays start close to each other, by the size of the model: then most of what they
-    /// meet they have in common, and none goes alone for long.
-    bool startsTogether(const PacketRays& packet) const {
-        const Mask<N> on = Mask<N>::fromBits(packet.lanes);
-        const Real<N> inf(__builtin_inff()), none(-__builtin_inff());
-        float spread = 0, size = 0;
-        for (int k = 0; k < 3; ++k) {
-            const Real<N> org = Real<N>::load(packet.rays.org[k]);
-            const float extent =
-                largestLane(select(on, org, none)) - smallestLane(select(on, org, inf));
-            spread = largerOf(spread, extent);
-            size = largerOf(size, model_.wide.hi[k] - model_.wide.lo[k]);
-        }
-        return spread <= kTogetherSpread * size;
-    }
-    /// Traces such a packet to the end.
+    /// Traces a packet whose rays start together to the end.
     [[gnu::noinline]] void trace(const PacketRays& packet, uint32_t name) {
         using Walk = std::conditional_t<M == HitMode::Any, PacketOcclusion<Precision>,
                                         PacketSearch<Precision>>;

@@ -119,6 +119,14 @@ struct alignas(64) Search {
         deepest = deepest > currentLevels ? deepest : currentLevels;
     }
 
+    /// The same for one lane.
+    void keepTriangleOf(int lane, uint32_t candidate) {
+        triangle[lane] = candidate;
+        levels[lane] = currentLevels;
+        for (uint32_t l = 0; l < currentLevels; ++l) path[l][lane] = currentPath[l];
+        deepest = deepest > currentLevels ? deepest : currentLevels;
+    }
+
     /// HitMode::All: adds the triangle at hand for the lanes given.
     void append(uint32_t lanes, uint32_t candidate) {
         for (; lanes; lanes &= lanes - 1) {

@@ -97,6 +97,9 @@ struct Real {
         for (int i = 0; i < kRegisters<N>; ++i)
             hn::Store(v[i], Tag(), aligned + i * kRegisterLanes);
     }
+    void storeUnaligned(float* p) const {
+        for (int i = 0; i < kRegisters<N>; ++i) hn::StoreU(v[i], Tag(), p + i * kRegisterLanes);
+    }
 };
 
 /// One unsigned word a lane; kept, not computed with.

@@ -107,20 +107,31 @@ private:
             update();
         }
         uint32_t packets() const { return packets_; }
+        uint64_t looking(float near) const {
+            uint64_t rays = 0;
+            for (int v = 0; v < kTileVectors; ++v)
+                rays |= uint64_t((far_[v] >= Real<N>(near)).bits()) << 16 * v;
+            return rays;
+        }
         float farthestDepth() const { return farthest_; }
         const Real<N>& nearDepth(int v) const { return near_[v]; }
         const Real<N>& farDepth(int v) const { return far_[v]; }
         void prefetch(uint32_t) const {}
+        bool waits() const { return waits_; }
+        bool joins(uint32_t) const { return false; }
+        void goThrough() {
+            update();
+            waits_ = false;
+        }
 
-        void leaf(uint32_t reference, uint32_t packets, const Mask<N>* active) {
+        void leaf(uint32_t reference, uint64_t rays) {
             const uint32_t first = (reference & ~kWideLeaf) >> 4, count = (reference & 15u) + 1;
-            TileLanes lanes{};
-            for (int v = 0; v < kTileVectors; ++v)
-                if (packets >> v & 1) lanes.of[v] = active[v].bits();
+            TileLanes lanes;
+            for (int v = 0; v < kTileVectors; ++v) lanes.of[v] = raysOf(rays, v);
             for (uint32_t i = 0; i < count; ++i)
                 child(model_, model_.childTree.prims[first + i], tile_, live(query_, lanes),
                       query_, true);
-            update();
+            waits_ = true;
         }
 
     private:
@@ -148,6 +159,7 @@ private:
         const TileLanes& lanes_;
         Query* const query_;
         uint32_t packets_;
+        bool waits_ = false;
         float farthest_;
         Real<N> near_[kTileVectors], far_[kTileVectors];
     };

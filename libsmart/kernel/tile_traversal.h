@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Traversal of a tree of wide nodes by a tile of 64 rays: sixteen child boxes at once against the
-// beam, the boxes that are left against the rays, sixteen at once; in a leaf sixteen triangles at
+// beam, the boxes that are left against the rays, sixteen at once; in leaves sixteen triangles at
 // once against the packets, and what is left against the rays.
 //
 // Nothing is decided here that the single ray would decide otherwise: boxes and triangles are only
@@ -59,7 +59,10 @@ public:
     }
 
     void run() {
-        traverseWide(model_.wide.nodes, beam_, *this);
+        if constexpr (M == HitMode::Any)
+            traverseWideUnordered(model_.wide.nodes, beam_, *this);
+        else
+            traverseWide(model_.wide.nodes, beam_, *this);
     }
 
     /// Brings the queries up to date. exactly: also the distances of the hits, for models to come.
@@ -77,22 +80,46 @@ public:
 
     // What traverseWide asks.
     uint32_t packets() const { return packets_; }
+    HWY_INLINE uint64_t looking(float near) const {
+        uint64_t rays = 0;
+        for (int v = 0; v < kTileVectors; ++v) {
+            const uint32_t lanes = M == HitMode::Any ? lanes_.of[v] & ~query_[v].blocked
+                                                     : (farDepth_[v] >= Real<N>(near)).bits();
+            rays |= uint64_t(lanes) << 16 * v;
+        }
+        return rays;
+    }
     float farthestDepth() const { return far_; }
     const Real<N>& nearDepth(int v) const { return near_[v]; }
     const Real<N>& farDepth(int v) const { return farDepth_[v]; }
     HWY_INLINE void prefetch(uint32_t child) const {
+        // By address, as no predictor learns which children are leaves.
+        const char* const starts[2] = {reinterpret_cast<const char*>(model_.wide.nodes),
+                                       reinterpret_cast<const char*>(model_.wide.blocks)};
+        constexpr std::size_t kStride[2] = {sizeof(WideNode), sizeof(float) * kWordsOfTriangle};
+        const uint32_t leaf = child >> 31;
         const char* const next =
-            child & kWideLeaf
-                ? reinterpret_cast<const char*>(block((child & ~kWideLeaf) >> 4))
-                : reinterpret_cast<const char*>(model_.wide.nodes + child);
+            starts[leaf] + kStride[leaf] * ((child & ~kWideLeaf) >> 4 * leaf);
         for (int line = 0; line < 7; ++line) __builtin_prefetch(next + 64 * line);
     }
 
-    HWY_INLINE void leaf(uint32_t child, uint32_t packets, const Mask<N>* active) {
-        const uint32_t count = (child & 15u) + 1;
-        const float* const triangles = block((child & ~kWideLeaf) >> 4);
+    bool waits() const { return leaves_.count() > 0; }
+    bool joins(uint32_t child) const { return child & kWideLeaf && leaves_.hasRoomFor(child); }
+    HWY_INLINE void leaf(uint32_t child, uint64_t rays) {
+        Mask<N> of[kTileVectors];
+        for (int v = 0; v < kTileVectors; ++v) of[v] = Mask<N>::fromBits(raysOf(rays, v));
+        leaves_.add(model_.wide.blocks, child, packetsOf(rays), of);
+    }
+    HWY_INLINE void goThrough() {
+        testLeaves();
+        leaves_.clear();
+    }
+
+private:
+    /// The triangles of the leaves that wait, against their rays.
+    HWY_INLINE void testLeaves() {
         EdgeFunctions edges;
-        uint64_t pairs = edges.setUp(beam_, triangles, count, packets, farthest_, slack_);
+        uint64_t pairs = edges.setUp(beam_, leaves_, farthest_, slack_);
         if (!pairs) return;
         bool changed = false;
         Undecided later;
@@ -105,43 +132,46 @@ public:
                        Real<N>(edges.y[e][i]) * y;
             };
             const Real<N> lowest = min(min(edge(0), edge(1)), edge(2));
-            const Real<N> inverse = Real<N>(edges.depthZ[i]) + Real<N>(edges.depthX[i]) * x +
-                                    Real<N>(edges.depthY[i]) * y;
+            const Real<N> inverse = edges.inverseDepth(i, x, y);
             const Real<N> upper = inverse * Real<N>(edges.nearer[i]);
             const Mask<N> possible =
-                active[v] & (lowest >= Real<N>(-edges.bound[i])) & (upper >= low_[v]);
+                leaves_.rays(v) & (lowest >= Real<N>(-edges.bound[i])) & (upper >= low_[v]);
             if constexpr (kDecides) {
                 const Real<N> lower = inverse * Real<N>(edges.farther[i]);
                 const Mask<N> sure = possible & (lowest >= Real<N>(edges.sure[i])) &
                                      (lower >= high_[v]) & (upper <= inverseLimit_[v]);
                 const uint32_t taken = sure.bits(), open = possible.bits() & ~taken;
                 changed |= taken != 0;
-                if constexpr (M == HitMode::Any) {
+                if constexpr (M == HitMode::Any)
                     query_[v].blocked |= taken;
-                    later.add(pair, open);
-                } else {
-                    take(v, taken, sure, lower, upper, number(triangles, count, i));
-                    if (open) changed |= decide(triangles, count, i, v, open);
-                }
+                else
+                    take(v, taken, sure, lower, upper, leaves_.number(i));
+                later.add(pair, open);
             } else {
                 const uint32_t open = possible.bits();
-                if (open) changed |= decide(triangles, count, i, v, open);
+                if (open) changed |= decide(i, v, open);
             }
         }
         for (uint32_t n = 0; n < later.count; ++n) {
             const int v = later.pair[n] >> 4, i = later.pair[n] & 15;
-            uint32_t open = later.lanes[n] & ~query_[v].blocked;
-            if (open && edges.sure[i] < __builtin_inff())
-                open = ahead(triangles, count, i, v, open);
-            if (open) changed |= decide(triangles, count, i, v, open);
+            uint32_t open = later.lanes[n];
+            if constexpr (M == HitMode::Any) {
+                open &= ~query_[v].blocked;
+                if (open && edges.sure[i] < __builtin_inff()) open = ahead(i, v, open);
+            } else {
+                const Real<N> upper =
+                    edges.inverseDepth(i, beam_.slope(0, v), beam_.slope(1, v)) *
+                    Real<N>(edges.nearer[i]);
+                open &= (upper >= low_[v]).bits();
+            }
+            if (open) changed |= decide(i, v, open);
         }
         if (changed) updateLimits();
     }
 
-private:
-    /// HitMode::Any: what linear functions leave open in a leaf, pairs of a packet and a triangle
-    /// as EdgeFunctions has them. Where one hit is as good as another, what is sure comes first,
-    /// and no pair waits for a branch on the one before.
+    /// What linear functions leave open, pairs of a packet and a triangle as EdgeFunctions has
+    /// them. What is sure comes first: it settles some of the rest, and no pair waits for a branch
+    /// on the one before.
     struct Undecided {
         uint32_t count = 0;
         int pair[kTileVectors * N];
@@ -195,15 +225,6 @@ private:
         far_ = largestLane(far);
     }
 
-    const float* block(uint32_t first) const {
-        return model_.wide.blocks + kWordsOfTriangle * std::size_t(first);
-    }
-    static uint32_t number(const float* triangles, uint32_t count, int i) {
-        uint32_t number;
-        __builtin_memcpy(&number, triangles + 9 * count + uint32_t(i), sizeof number);
-        return number;
-    }
-
     /// Rays of packet v hit a triangle, nearer than all else so far.
     HWY_INLINE void take(int v, uint32_t lanes, const Mask<N>& mask, const Real<N>& lower,
                          const Real<N>& upper, uint32_t triangle) {
@@ -227,19 +248,12 @@ private:
         packets_ &= ~(uint32_t(!(lanes_.of[v] & ~blocked)) << v);
     }
 
-    static void load(const float* triangles, uint32_t count, int i, Triangle& triangle) {
-        const float* from = triangles + i;
-        for (float* vertex : {triangle.v0, triangle.v1, triangle.v2})
-            for (int k = 0; k < 3; ++k, from += count) vertex[k] = *from;
-    }
-
     /// Of the given rays of packet v, those that do not start behind the plane of triangle i: the
     /// exact test would find the same in double. Most of what a shadow ray has left is the surface
     /// that it starts on.
-    [[gnu::noinline]] uint32_t ahead(const float* triangles, uint32_t count, int i, int v,
-                                     uint32_t lanes) const {
+    [[gnu::noinline]] uint32_t ahead(int i, int v, uint32_t lanes) const {
         Triangle triangle;
-        load(triangles, count, i, triangle);
+        leaves_.load(i, triangle);
         double e1[3], e2[3], n[3];
         for (int k = 0; k < 3; ++k) {
             e1[k] = double(triangle.v1[k]) - triangle.v0[k];
@@ -273,19 +287,18 @@ private:
         return lanes & ~behind;
     }
 
-    /// The exact test of triangle i of a leaf by the given rays of packet v; whether it changed
+    /// The exact test of triangle i of the leaves by the given rays of packet v; whether it changed
     /// anything.
-    [[gnu::noinline]] bool decide(const float* triangles, uint32_t count, int i, int v,
-                                  uint32_t lanes) {
+    [[gnu::noinline]] bool decide(int i, int v, uint32_t lanes) {
         Query& query = query_[v];
         if (M == HitMode::Closest && (unsettled_[v] & lanes)) settle(v, unsettled_[v] & lanes);
         const Precision<N>& precision = exact(v);
-        const uint32_t prim = number(triangles, count, i);
+        const uint32_t prim = leaves_.number(i);
         Real<N> t, best = Real<N>::load(query.best);
         Mask<N> hit;
         if constexpr (kDecides) {
             Triangle triangle;
-            load(triangles, count, i, triangle);
+            leaves_.load(i, triangle);
             hit = precision.meet(triangle, Mask<N>::fromBits(lanes), t);
             if (!any(hit)) return false;
             hit = precision.comparable(prim, hit, t, best, query);
@@ -344,6 +357,7 @@ private:
     const RayGroup& group_;
     const TileLanes& lanes_;
     Query* const query_;
+    LeafGroup leaves_; ///< that wait
     float slack_, far_;
     uint32_t packets_ = 0; ///< with rays that still look for something
     Real<N> near_[kTileVectors], farDepth_[kTileVectors]; ///< depths; none for lanes that are off

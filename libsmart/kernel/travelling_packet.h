@@ -104,13 +104,24 @@ public:
         alone.tNear[0] = packet.near[lane];
         alone.triangle[0] = query.triangle[lane];
         alone.lastOfEqual = query.lastOfEqual;
-        alone.currentLevels = alone.levels[0] = query.currentLevels;
+        alone.levels[0] = 0;
+        alone.currentLevels = query.currentLevels;
         for (uint32_t l = 0; l < query.currentLevels; ++l)
-            alone.currentPath[l] = alone.path[l][0] = query.currentPath[l];
+            alone.currentPath[l] = query.currentPath[l];
+        if (query.triangle[lane] != kNoHit) {
+            alone.levels[0] = query.levels[lane];
+            for (uint32_t l = 0; l < query.levels[lane]; ++l)
+                alone.path[l][0] = query.path[l][lane];
+        }
         Real<1> far(best);
         Traversal::decide(precision, block, hits, far, alone);
-        query.triangle[lane] = alone.triangle[0];
         query.blocked |= alone.blocked << lane;
+        if (alone.deepest) { // something was kept, if only what had been there
+            query.triangle[lane] = alone.triangle[0];
+            query.levels[lane] = alone.levels[0];
+            for (uint32_t l = 0; l < alone.levels[0]; ++l) query.path[l][lane] = alone.path[l][0];
+            query.deepest = query.deepest > alone.deepest ? query.deepest : alone.deepest;
+        }
         return far.v;
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Depth-first traversal of wide nodes by a beam: sixteen child boxes at once against all of it,
-// and each child that is left against its rays, before it is entered.
+// Depth-first traversal of wide nodes by a beam: sixteen child boxes at once against all of it, and
+// each child that is left against its rays. All tests of a node are made when it is opened, so that
+// they run side by side: a branch on each result would be one that no predictor learns.
 #pragma once
 
 #include "libsmart/kernel/beam.h"
@@ -28,66 +29,127 @@ struct DepthRange {
     }
 };
 
-/// State: packets() whose rays still look for something, nearDepth(v) and farDepth(v) of their rays
-/// (-infinity where a ray looks for nothing), farthestDepth() of all, prefetch(child), and
-/// leaf(child, packets, active rays of each packet), which may bring all that up to date.
+/// The rays that meet a box: see raysOf().
+template <class State>
+HWY_INLINE uint64_t raysThatMeet(const Beam& beam, const SeenBoxes& seen, int box,
+                                 const State& state) {
+    uint64_t rays = 0;
+    for (int v = 0; v < kTileVectors; ++v) {
+        const auto met = beam.meet(seen, box, v, state.nearDepth(v), state.farDepth(v));
+        rays |= uint64_t(met.bits()) << 16 * v;
+    }
+    return rays;
+}
+
+/// Nearest boxes first.
+/// State: packets() whose rays still look for something, looking(near), these rays from depth
+/// `near` on as bits (raysOf()), nearDepth(v) and farDepth(v) of their rays (-infinity where a ray
+/// looks for nothing), farthestDepth() of all, prefetch(child), and leaf(child, rays that meet its
+/// box). What comes of leaves may wait: while any waits(), leaf() may be called for a child that
+/// joins(child) them; goThrough() brings all up to date.
 template <class State>
 void traverseWide(const WideNode* nodes, const Beam& beam, State& state) {
     constexpr int N = kPacketSize;
-    // Written and read word by word: what is stored in parts arrives late where it is loaded whole.
     struct Entry {
+        uint64_t rays; ///< that meet the box
         float near;
         uint32_t child;
-        uint32_t place; ///< slot, packets << 4, level of the node whose child it is << 8
     };
-    SeenBoxes seen[kWideMaxDepth];
     Entry stack[kWideMaxDepth * kWideChildren];
     int top = 0;
 
-    const auto open = [&](uint32_t index, uint32_t level, uint32_t packets) HWY_ATTR {
+    const auto open = [&](uint32_t index, uint64_t rays) HWY_ATTR {
         const WideNode& node = nodes[index];
-        beam.see(node, seen[level]);
+        SeenBoxes seen;
+        beam.see(node, seen);
         Real<N> from;
-        const uint32_t hits = beam.meet(seen[level], 0.0f, state.farthestDepth(), from).bits();
+        const uint32_t within = beam.meet(seen, 0.0f, state.farthestDepth(), from).bits();
         alignas(64) float near[N], order[N];
         from.store(near);
         const Real<N> distinct = numbered(from);
         distinct.store(order);
-        const uint32_t above = packets << 4 | level << 8;
-        for (uint32_t rest = hits; rest; rest &= rest - 1) {
+        Entry met[N];
+        int slots[N];
+        uint32_t hits = 0;
+        int count = 0;
+        for (uint32_t rest = within; rest; rest &= rest - 1) {
             const int slot = lowestBit(rest);
-            const uint32_t child = node.child[slot];
-            state.prefetch(child);
-            // Its place by counting, as a sort has branches that nobody can predict.
-            const uint32_t farther = hits & (distinct > Real<N>(order[slot])).bits();
-            stack[top + __builtin_popcount(farther)] = {near[slot], child, uint32_t(slot) | above};
+            const uint64_t meeting = rays & raysThatMeet(beam, seen, slot, state);
+            met[count] = {meeting, near[slot], node.child[slot]};
+            slots[count] = slot;
+            hits |= uint32_t(meeting != 0) << slot;
+            count += meeting != 0;
         }
-        top += __builtin_popcount(hits);
+        for (int i = 0; i < count; ++i) {
+            state.prefetch(met[i].child);
+            // Its place by counting, as a sort has branches that nobody can predict.
+            const uint32_t farther = hits & (distinct > Real<N>(order[slots[i]])).bits();
+            stack[top + __builtin_popcount(farther)] = met[i];
+        }
+        top += count;
     };
 
-    open(0, 0, state.packets());
-    while (top > 0) {
-        const Entry& entry = stack[--top];
-        if (entry.near > state.farthestDepth()) continue;
-        const uint32_t place = entry.place, level = place >> 8;
-        const SeenBoxes& boxes = seen[level];
-        uint32_t packets = 0;
-        Mask<N> active[kTileVectors];
-        for (int v = 0; v < kTileVectors; ++v) {
-            active[v] =
-                beam.meet(boxes, int(place & 15u), v, state.nearDepth(v), state.farDepth(v));
-            packets |= uint32_t(any(active[v])) << v;
-        }
-        packets &= place >> 4;
-        if (!packets) continue;
-        const uint32_t child = entry.child;
-        if (child & kWideLeaf) {
-            state.leaf(child, packets, active);
+    open(0, state.looking(0.0f));
+    while (true) {
+        if (state.waits() && !(top > 0 && state.joins(stack[top - 1].child))) {
+            state.goThrough();
             if (!state.packets()) return;
-        } else {
-            open(child, level + 1u, packets);
+        }
+        if (top == 0) return;
+        const Entry& entry = stack[--top];
+        const uint32_t child = entry.child;
+        const uint64_t rays = entry.rays & state.looking(entry.near);
+        if (!rays) continue;
+        if (child & kWideLeaf)
+            state.leaf(child, rays);
+        else
+            open(child, rays);
+    }
+}
+
+/// In no order, for rays that ask for no nearest hit. Leaves come before nodes, so that many go
+/// together.
+template <class State>
+void traverseWideUnordered(const WideNode* nodes, const Beam& beam, State& state) {
+    constexpr int N = kPacketSize;
+    struct Entry {
+        uint64_t rays; ///< that meet the box
+        uint32_t child;
+    };
+    Entry stack[kWideMaxDepth * kWideChildren];
+    Entry leaves[kWideChildren];
+    int top = 0;
+    stack[top++] = {state.looking(0.0f), 0};
+    while (top > 0) {
+        const Entry entry = stack[--top];
+        const uint64_t rays = entry.rays & state.looking(0.0f);
+        if (!rays) continue;
+        const WideNode& node = nodes[entry.child];
+        SeenBoxes seen;
+        beam.see(node, seen);
+        Real<N> from;
+        int count = 0;
+        for (uint32_t rest = beam.meet(seen, 0.0f, state.farthestDepth(), from).bits(); rest;
+             rest &= rest - 1) {
+            const int slot = lowestBit(rest);
+            const uint32_t child = node.child[slot];
+            const uint64_t met = rays & raysThatMeet(beam, seen, slot, state);
+            // Without a branch: stored in any case, and counted where it is to stay.
+            stack[top] = leaves[count] = {met, child};
+            const int leaf = int(child >> 31), stays = met != 0;
+            state.prefetch(stays ? child : entry.child); // or what is near anyway
+            top += stays & ~leaf;
+            count += stays & leaf;
+        }
+        for (int i = 0; i < count; ++i) {
+            if (state.waits() && !state.joins(leaves[i].child)) {
+                state.goThrough();
+                if (!state.packets()) return;
+            }
+            state.leaf(leaves[i].child, leaves[i].rays);
         }
     }
+    if (state.waits()) state.goThrough();
 }
 
 } // namespace smart::SMART_ISA

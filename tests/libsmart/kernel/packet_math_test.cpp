@@ -74,17 +74,24 @@ int differingRays(const PacketMath& math, const MatrixLens& lens, const MatrixLe
     }
     RayPacket rays{};
     float width[kPacketSize], spread[kPacketSize];
-    const uint32_t made = math.cameraRays(lens, x, y, rays, width, spread);
-    int differ = 0;
+    LensLanes columns, rows;
+    math.lensColumns(lens, x, 1, &columns);
+    math.lensRows(lens, y, 1, &rows);
+    const uint32_t made = math.cameraRays(lens, columns, rows, rays, width, spread);
+    RayPacket bare{}; // without cones
+    int differ = math.cameraRays(lens, columns, rows, bare, nullptr, nullptr) != made;
     for (int i = 0; i < kPacketSize; ++i) {
         const LensRay ray = forLens(single, [&](auto hasEye, auto upright) {
-            return rayThrough<hasEye.value, upright.value>(single, x[i], y[i]);
+            return rayThrough<hasEye.value, upright.value, true>(single, lensColumn(single, x[i]),
+                                                                 lensRow(single, y[i]));
         });
         bool fine = ray.made == ((made >> i & 1u) != 0) && same(ray.tNear, rays.tNear[i]) &&
                     same(ray.tFar, rays.tFar[i]) && same(ray.coneWidth, width[i]) &&
                     same(ray.coneSpread, spread[i]);
         for (int k = 0; k < 3; ++k)
-            fine &= same(ray.org[k], rays.org[k][i]) && same(ray.dir[k], rays.dir[k][i]);
+            fine &= same(ray.org[k], rays.org[k][i]) && same(ray.dir[k], rays.dir[k][i]) &&
+                    same(ray.org[k], bare.org[k][i]) && same(ray.dir[k], bare.dir[k][i]);
+        fine &= same(ray.tNear, bare.tNear[i]) && same(ray.tFar, bare.tFar[i]);
         differ += !fine;
     }
     return differ;
@@ -112,7 +119,10 @@ TEST(PacketMath, RaysThatAreNoneAreNotMade) {
         RayPacket rays{};
         const double at[kPacketSize] = {};
         float width[kPacketSize], spread[kPacketSize];
-        EXPECT_EQ(math->cameraRays(lens, at, at, rays, width, spread), 0u) << math->name;
+        LensLanes columns, rows;
+        math->lensColumns(lens, at, 1, &columns);
+        math->lensRows(lens, at, 1, &rows);
+        EXPECT_EQ(math->cameraRays(lens, columns, rows, rays, width, spread), 0u) << math->name;
     }
 }
 

@@ -201,31 +201,37 @@ TEST(WideRays, SecondaryRays) {
     }
 }
 
+/// From each of `places` places 48 rays, the last sixteen from close by; many at vertices.
+std::vector<Ray> raysFromPlaces(const std::vector<Triangle>& mesh, std::size_t places) {
+    Random random(32);
+    std::vector<Ray> rays;
+    for (const Ray& place : randomRays(mesh, places, 33)) {
+        for (int i = 0; i < 48; ++i) {
+            const Triangle& triangle = mesh[std::size_t(random.between(0, double(mesh.size())))];
+            const auto way = random.onSphere();
+            const bool aimed = i % 3 == 0; // at a vertex: equal distances and edges
+            Ray ray{};
+            for (int k = 0; k < 3; ++k) {
+                ray.org[k] = 0.4f * place.org[k];
+                if (i >= 32) ray.org[k] += float(random.between(-0.02, 0.02));
+                ray.dir[k] = aimed ? triangle.v1[k] - ray.org[k] : float(way[std::size_t(k)]);
+            }
+            if (i % 7 == 1) ray.dir[i % 3] = i % 2 ? 0.0f : -0.0f;
+            ray.tFar = i % 4 == 0 ? INFINITY : float(random.between(0, 1.5));
+            ray.tNear = i % 5 == 0 ? 0.3f * ray.tFar : 0.0f;
+            if (i == 9) ray.tFar = NAN;
+            rays.push_back(ray);
+        }
+    }
+    return rays;
+}
+
 // Packets of such rays stay together to the end.
 TEST(WideRays, PacketsThatStartCloseTogether) {
     for (const auto& [name, mesh] : {std::pair{"icosphere", snapped(icosphere(3), 16)},
                                      std::pair{"soup", triangleSoup(1000, 0.2f, 31)},
                                      std::pair{"room", closedRoom()}}) {
-        Random random(32);
-        std::vector<Ray> rays;
-        for (const Ray& place : randomRays(mesh, rayCount(40), 33)) {
-            for (int i = 0; i < 48; ++i) {
-                const Triangle& triangle = mesh[std::size_t(random.between(0, double(mesh.size())))];
-                const auto way = random.onSphere();
-                const bool aimed = i % 3 == 0; // at a vertex: equal distances and edges
-                Ray ray{};
-                for (int k = 0; k < 3; ++k) {
-                    ray.org[k] = 0.4f * place.org[k];
-                    if (i >= 32) ray.org[k] += float(random.between(-0.02, 0.02));
-                    ray.dir[k] = aimed ? triangle.v1[k] - ray.org[k] : float(way[std::size_t(k)]);
-                }
-                if (i % 7 == 1) ray.dir[i % 3] = i % 2 ? 0.0f : -0.0f;
-                ray.tFar = i % 4 == 0 ? INFINITY : float(random.between(0, 1.5));
-                ray.tNear = i % 5 == 0 ? 0.3f * ray.tFar : 0.0f;
-                if (i == 9) ray.tFar = NAN;
-                rays.push_back(ray);
-            }
-        }
+        const std::vector<Ray> rays = raysFromPlaces(mesh, rayCount(40));
         EXPECT_GT(expectSame(mesh, rays, name), 0u);
         std::vector<Ray> far = rays;
         for (Ray& ray : far)
@@ -233,6 +239,40 @@ TEST(WideRays, PacketsThatStartCloseTogether) {
         const Precision modes[] = {Precision::Watertight};
         expectSame({place(makeModel(scaled(mesh, 0x1p50)))}, far, "large coordinates", modes);
     }
+}
+
+// They come to each instance as a packet: of two in one place the hits are equally far.
+TEST(WideRays, PacketsThatStartCloseTogetherAmongInstances) {
+    const glm::dmat4 one(1.0);
+    const Precision modes[] = {Precision::Fast, Precision::Watertight};
+    for (const auto& [name, mesh] : {std::pair{"icosphere", snapped(icosphere(2), 16)},
+                                     std::pair{"soup", triangleSoup(300, 0.2f, 34)}}) {
+        const ModelPtr model = makeModel(mesh);
+        const auto turned = glm::dmat4x3(glm::rotate(one, 0.7, glm::dvec3(0.36, 0.48, 0.8)));
+        const auto mirrored = glm::dmat4x3(glm::scale(one, glm::dvec3(-1, 0.5, 2)));
+        const auto near = glm::dmat4x3(glm::translate(one, glm::dvec3(0.01, 0, 0)));
+        const ModelPtr nested = makeModel(
+            triangleSoup(40, 0.5f, 35), {place(model, turned), place(model), place(model, near)});
+        const std::vector<Ray> rays = raysFromPlaces(mesh, rayCount(8));
+        const std::vector<std::vector<Instance>> scenes = {
+            {place(model), place(model)},
+            {place(nested)},
+            {place(model, mirrored), place(nested), place(model), place(nested, turned),
+             place(makeModel({})), place(model, near), place(model)}};
+        for (const std::vector<Instance>& instances : scenes)
+            EXPECT_GT(expectSame(instances, rays,
+                                 name + (", " + std::to_string(instances.size())), modes),
+                      0u);
+    }
+    std::vector<Instance> many;
+    Random random(36);
+    const ModelPtr small = makeModel(icosphere(1));
+    for (int i = 0; i < 60; ++i) {
+        const glm::dvec3 at(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+        const glm::dmat4 size = glm::scale(one, glm::dvec3(random.between(0.05, 0.3)));
+        many.push_back(place(small, glm::dmat4x3(glm::translate(one, at) * size)));
+    }
+    EXPECT_GT(expectSame(many, raysFromPlaces(icosphere(2), rayCount(8)), "many", modes), 0u);
 }
 
 TEST(WideRays, EqualDistances) {
