@@ -82,34 +82,74 @@ inline Floats& operator+=(Floats& a, const Floats& b) { return a = a + b; }
 inline Floats& operator-=(Floats& a, const Floats& b) { return a = a - b; }
 inline Floats& operator*=(Floats& a, const Floats& b) { return a = a * b; }
 
+namespace detail {
+#if defined(__GNUC__)
+// Compilers make branches of conditions on lanes where they unroll a loop before they look for
+// SIMD code. So these are vectors from the start, as wide as the registers.
+#if defined(__AVX512F__)
+inline constexpr int kWide = 16;
+#elif defined(__AVX2__)
+inline constexpr int kWide = 8;
+#else
+inline constexpr int kWide = 4;
+#endif
+typedef float WideFloats __attribute__((vector_size(4 * kWide), may_alias, aligned(4)));
+typedef int WideInts __attribute__((vector_size(4 * kWide), may_alias, aligned(4)));
+
+inline WideFloats wideAt(const RTSfloats& values, int lane) {
+    return *reinterpret_cast<const WideFloats*>(values.lane + lane);
+}
+inline WideInts wideBitsAt(int lane) {
+    return *reinterpret_cast<const WideInts*>(kLaneBit + lane);
+}
+#endif
+} // namespace detail
+
 /// Lanes where condition(a, b) holds.
 template <class Condition>
 inline Mask compare(const Floats& a, const Floats& b, Condition&& condition) {
     RTuint bits = 0;
+#if defined(__GNUC__)
+    detail::WideInts some = {};
+    for (int i = 0; i < kLanes; i += detail::kWide)
+        some |= condition(detail::wideAt(a, i), detail::wideAt(b, i)) & detail::wideBitsAt(i);
+    for (int k = 0; k < detail::kWide; ++k) bits |= RTuint(some[k]);
+#else
     for (int i = 0; i < kLanes; ++i)
         bits |= condition(a.lane[i], b.lane[i]) ? detail::kLaneBit[i] : 0u;
+#endif
     return Mask(bits);
 }
 inline Mask operator<(const Floats& a, const Floats& b) {
-    return compare(a, b, [](float x, float y) { return x < y; });
+    return compare(a, b, [](auto x, auto y) { return x < y; });
 }
 inline Mask operator>(const Floats& a, const Floats& b) { return b < a; }
 inline Mask operator<=(const Floats& a, const Floats& b) {
-    return compare(a, b, [](float x, float y) { return x <= y; });
+    return compare(a, b, [](auto x, auto y) { return x <= y; });
 }
 inline Mask operator>=(const Floats& a, const Floats& b) { return b <= a; }
 inline Mask operator==(const Floats& a, const Floats& b) {
-    return compare(a, b, [](float x, float y) { return x == y; });
+    return compare(a, b, [](auto x, auto y) { return x == y; });
 }
 inline Mask operator!=(const Floats& a, const Floats& b) { return !(a == b); }
 
 /// `yes` in the lanes of the mask, `no` in the others.
 inline Floats select(const Mask& mask, const Floats& yes, const Floats& no) {
     Floats result;
+#if defined(__GNUC__)
+    const detail::WideInts bits = int(mask.bits) - detail::WideInts{};
+    for (int i = 0; i < kLanes; i += detail::kWide) {
+        const detail::WideInts chosen = (bits & detail::wideBitsAt(i)) != 0;
+        const auto y = reinterpret_cast<detail::WideInts>(detail::wideAt(yes, i)),
+                   n = reinterpret_cast<detail::WideInts>(detail::wideAt(no, i));
+        *reinterpret_cast<detail::WideInts*>(result.lane + i) = (y & chosen) | (n & ~chosen);
+    }
+#else
     for (int i = 0; i < kLanes; ++i) {
         const float y = yes.lane[i], n = no.lane[i]; // both are read: no branch
         result.lane[i] = (mask.bits & detail::kLaneBit[i]) != 0 ? y : n;
     }
+#endif
     return result;
 }
 constexpr float select(bool condition, float yes, float no) { return condition ? yes : no; }

@@ -135,7 +135,7 @@ public:
     /// Radiance along rays; black where the recursion limit or the weight cut-off stopped them,
     /// and in lanes that are not wanted.
     Color trace(const Vec3& origin, const Vec3& direction, const Float& weight, Mask wanted) {
-        RTScolors radiance = {};
+        RTScolors radiance; // the call sets the lanes that are traced
         const RTuint traced =
             Calls::trace(packet_, lanes(wanted), plain(origin), plain(direction),
                          weight * Float(packet_->weight), radiance);
@@ -153,9 +153,9 @@ public:
     /// Share of light that passes: 1 nothing in between, 0 opaque, or not wanted.
     Color shadow(const Vec3& origin, const Vec3& direction, const Float& distance, Mask wanted) {
         const RTuint asked = lanes(wanted);
-        RTScolors attenuation = {};
-        if (asked)
-            Calls::shadow(packet_, asked, plain(origin), plain(direction), distance, attenuation);
+        if (!asked) return Color();
+        RTScolors attenuation; // the call sets the lanes that are asked for
+        Calls::shadow(packet_, asked, plain(origin), plain(direction), distance, attenuation);
         return select(Mask(asked), Color(attenuation), Color());
     }
     RTuint lightCount() const { return Calls::lightCount(packet_); }
@@ -165,9 +165,11 @@ public:
     }
     /// Of a light with an extent no random numbers are drawn in lanes not wanted.
     Mask illuminate(RTuint light, LightSample& sample, Mask wanted) {
-        RTSlightpacket s = {};
         const RTuint asked = lanes(wanted);
-        const Mask lit(asked ? Calls::illuminate(packet_, asked, light, s) & asked : 0);
+        if (!asked) return Mask();
+        RTSlightpacket s; // the call sets the lanes that are lit
+        const Mask lit(Calls::illuminate(packet_, asked, light, s) & asked);
+        if (!any(lit)) return lit;
         sample = {Vec3(s.direction), Float(s.distance), Color(s.radiance)};
         return lit;
     }
@@ -180,8 +182,9 @@ public:
     Color environment(const Vec3& direction) { return environment(direction, active()); }
     Color environment(const Vec3& direction, Mask wanted) {
         const RTuint asked = lanes(wanted);
-        RTScolors radiance = {};
-        if (asked) Calls::environment(packet_, asked, plain(direction), radiance);
+        if (!asked) return Color();
+        RTScolors radiance; // the call sets the lanes that are asked for
+        Calls::environment(packet_, asked, plain(direction), radiance);
         return select(Mask(asked), Color(radiance), Color());
     }
     Float random() { return random(active()); }

@@ -158,6 +158,24 @@ typedef struct RTSparameter {
 
 /* The class descriptor ---------------------------------------------------------------------- */
 
+/* What a surface shader reads of the point: bits of RTshaderclass::reads. */
+#define RTS_READS_RAY 0x1u            /* rayOrigin, rayDirection, rayDistance */
+#define RTS_READS_POSITION 0x2u       /* position */
+#define RTS_READS_NORMAL 0x4u         /* geometricNormal, frontFace */
+#define RTS_READS_SHADING_NORMAL 0x8u /* shadingNormal */
+#define RTS_READS_RAW_NORMAL 0x10u    /* rawNormal */
+#define RTS_READS_BARYCENTRIC 0x20u   /* barycentric */
+#define RTS_READS_TEXCOORD 0x40u      /* texCoord */
+#define RTS_READS_COLOR 0x80u         /* color */
+#define RTS_READS_IDS 0x100u          /* object, instance, primitive */
+#define RTS_READS_PIXEL 0x200u        /* pixel, sample */
+#define RTS_READS_FOOTPRINT 0x400u    /* footprint, texCoordDensity */
+#define RTS_READS_EVERYTHING 0xFFFFFFFFu
+/* The functions of the table read as well: illuminate and environment the position, these the
+ * values named. */
+#define RTS_READS_TRACE 0x7u      /* trace, traceHit, shadow: ray, position, normal */
+#define RTS_READS_TEXTURE 0x405u  /* texture, for its level of detail: ray, normal, footprint */
+
 /* Functions return 0 for success unless said otherwise; any other value is a fault of the shader:
  * its pixel is black and counted. They must not throw, and run on many threads at once. */
 typedef struct RTshaderclass {
@@ -196,6 +214,11 @@ typedef struct RTshaderclass {
      * light that the n samples carry together is the mean of their radiances */
     int (*illuminateSample)(const void *shader, RTSstate *state, RTuint i, RTuint n,
                             RTSlightsample *sample);
+    /* surface: what shade and shadePacket read of the point, RTS_READS_...; NULL: everything. Asked
+     * once the parameters are set, before the shader is used. What is not named is not computed:
+     * it is 0 for both functions, as a point and in the lanes of a packet. Lights that are asked
+     * for samples see the point as well: in frames with illuminateSample all values are there. */
+    RTuint (*reads)(const void *shader);
 } RTshaderclass;
 
 /* The calls of a C shader ------------------------------------------------------------------- */

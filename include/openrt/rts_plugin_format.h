@@ -23,7 +23,7 @@ extern "C" {
  * that needs a newer revision than the library has is refused, as it may call functions that are
  * not there. An author who looks at the structSize of a table before using what is new in it may
  * ask for less than the headers' revision: see rts_plugin.h. */
-#define RTS_INTERFACE_REVISION 1u
+#define RTS_INTERFACE_REVISION 2u
 
 /* A class of a shader library. */
 typedef struct RTSpluginclass {

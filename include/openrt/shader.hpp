@@ -26,6 +26,12 @@
 // `void shadePacket(PacketContext&) const`, or, where `shade` is a template of its context that
 // serves packets too, with `static constexpr bool shadesPackets = true`.
 //
+// A surface may say what it reads of the point, so that nothing else is computed; otherwise it gets
+// everything. What it does not name is 0:
+//
+//   RTuint reads() const { return READS_COLOR | (shiny ? READS_TRACE : 0u); }   (optional, may be
+//                                                              static and constexpr)
+//
 // Per-triangle and per-vertex parameters live in nested structs TriangleParam and VertexParam,
 // plain data; VertexParam holds floats only, as it is interpolated. All members run on many
 // threads at once. What they throw becomes a fault: the pixel is black and counted.
@@ -46,6 +52,27 @@ namespace openrt {
 inline constexpr RTSscope PER_SHADER = RTS_PER_SHADER;
 inline constexpr RTSscope PER_TRIANGLE = RTS_PER_TRIANGLE;
 inline constexpr RTSscope PER_VERTEX = RTS_PER_VERTEX;
+
+/// For `reads`: values of the context,
+inline constexpr RTuint READS_RAY = RTS_READS_RAY; ///< rayOrigin, rayDirection, rayDistance
+inline constexpr RTuint READS_POSITION = RTS_READS_POSITION;
+inline constexpr RTuint READS_NORMAL = RTS_READS_NORMAL; ///< geometricNormal, frontFace
+inline constexpr RTuint READS_SHADING_NORMAL = RTS_READS_SHADING_NORMAL;
+inline constexpr RTuint READS_RAW_NORMAL = RTS_READS_RAW_NORMAL;
+inline constexpr RTuint READS_BARYCENTRIC = RTS_READS_BARYCENTRIC;
+inline constexpr RTuint READS_TEXCOORD = RTS_READS_TEXCOORD;
+inline constexpr RTuint READS_COLOR = RTS_READS_COLOR; ///< color, alpha
+inline constexpr RTuint READS_IDS = RTS_READS_IDS;     ///< object, instance, primitive
+inline constexpr RTuint READS_PIXEL = RTS_READS_PIXEL; ///< of the state: pixel, sample
+inline constexpr RTuint READS_FOOTPRINT = RTS_READS_FOOTPRINT; ///< of the state, with the density
+inline constexpr RTuint READS_EVERYTHING = RTS_READS_EVERYTHING;
+/// and what its functions read.
+inline constexpr RTuint READS_FACING_NORMAL = READS_NORMAL | READS_SHADING_NORMAL;
+inline constexpr RTuint READS_REFLECTION = READS_RAY | READS_FACING_NORMAL; ///< reflectedDirection
+inline constexpr RTuint READS_REFRACTION = READS_RAY | READS_SHADING_NORMAL;
+inline constexpr RTuint READS_LIGHTS = READS_POSITION;    ///< illuminate, environment
+inline constexpr RTuint READS_TRACE = RTS_READS_TRACE;     ///< trace, traceHit, shadow
+inline constexpr RTuint READS_TEXTURE = RTS_READS_TEXTURE; ///< texture, but for where
 
 enum class ShaderKind : RTenum {
     Surface = RT_SURFACE_SHADER,

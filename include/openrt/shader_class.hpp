@@ -35,6 +35,10 @@ concept PromisesOpacity = requires(const T& s) {
     { s.opaque() } -> std::convertible_to<bool>;
 };
 template <class T>
+concept SaysWhatItReads = requires(const T& s) {
+    { s.reads() } -> std::convertible_to<RTuint>;
+};
+template <class T>
 concept ShadesPacketsByShade = requires { requires T::shadesPackets; };
 template <class T>
 concept ShadesPackets = ShadesPacketsByShade<T> ||
@@ -139,6 +143,13 @@ struct [[gnu::visibility("hidden")]] Functions {
             return static_cast<const T*>(shader)->opaque() ? 1 : 0;
         } catch (...) {
             return 0;
+        }
+    }
+    static RTuint reads(const void* shader) noexcept {
+        try {
+            return RTuint(static_cast<const T*>(shader)->reads());
+        } catch (...) {
+            return RTS_READS_EVERYTHING;
         }
     }
     static RTuint lightSamples(const void* shader) noexcept {
@@ -271,6 +282,7 @@ void describe(Descriptor& descriptor) {
         c.shadePacket = Functions<T>::shadePacket;
     if constexpr (kind == ShaderKind::Surface && PromisesOpacity<T>)
         c.opaque = Functions<T>::opaque;
+    if constexpr (kind == ShaderKind::Surface && SaysWhatItReads<T>) c.reads = Functions<T>::reads;
     if constexpr (kind == ShaderKind::Light && Illuminates<T>)
         c.illuminate = Functions<T>::illuminate;
     if constexpr (kind == ShaderKind::Light && IlluminatesBySamples<T>) {

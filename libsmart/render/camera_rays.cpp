@@ -79,13 +79,27 @@ bool CameraRays::make(double x, double y, Ray& ray, const CameraSample& sample) 
 }
 
 uint32_t CameraRays::makePacket(const PacketMath& math, const double (&x)[kPacketSize],
-                                const double (&y)[kPacketSize], RayGroup& rays) const {
-    return math.cameraRays(lens_, x, y, rays.rays, rays.coneWidth, rays.coneSpread);
+                                const double (&y)[kPacketSize], bool cones,
+                                RayGroup& rays) const {
+    LensLanes columns, rows;
+    math.lensColumns(lens_, x, 1, &columns);
+    math.lensRows(lens_, y, 1, &rows);
+    return makePacket(math, columns, rows, cones, rays);
+}
+
+uint32_t CameraRays::makePacket(const PacketMath& math, const LensLanes& columns,
+                                const LensLanes& rows, bool cones, RayGroup& rays) const {
+    if (cones)
+        return math.cameraRays(lens_, columns, rows, rays.rays, rays.coneWidth, rays.coneSpread);
+    std::fill_n(rays.coneWidth, kPacketSize, 0.0f);
+    std::fill_n(rays.coneSpread, kPacketSize, 0.0f);
+    return math.cameraRays(lens_, columns, rows, rays.rays, nullptr, nullptr);
 }
 
 LensRay CameraRays::fromMatrix(double x, double y) const {
     return forLens(lens_, [&](auto hasEye, auto upright) {
-        return rayThrough<hasEye.value, upright.value>(lens_, x, y);
+        return rayThrough<hasEye.value, upright.value, true>(lens_, lensColumn(lens_, x),
+                                                             lensRow(lens_, y));
     });
 }
 

@@ -36,10 +36,14 @@ public:
     /// as limits, or on the near plane where the matrix has no eye. With a camera shader they
     /// start where it says.
     bool make(double x, double y, Ray& ray, const CameraSample& sample = {}) const;
-    /// The same for sixteen points at once, with the cones, where no camera shader is asked;
-    /// returns the lanes that have a ray.
+    /// The same for sixteen points at once, with the cones or without, where no camera shader is
+    /// asked; returns the lanes that have a ray.
     uint32_t makePacket(const PacketMath& math, const double (&x)[kPacketSize],
-                        const double (&y)[kPacketSize], RayGroup& rays) const;
+                        const double (&y)[kPacketSize], bool cones, RayGroup& rays) const;
+    /// The same, of what the lens made of the coordinates.
+    uint32_t makePacket(const PacketMath& math, const LensLanes& columns, const LensLanes& rows,
+                        bool cones, RayGroup& rays) const;
+    const MatrixLens& lens() const { return lens_; }
 
     /// The cone of a ray that make() gave for the same point: what one of the frame's samples
     /// of a pixel stands for, from the neighbours of the ray one pixel to the right and above.

@@ -67,7 +67,8 @@ void RayServices::shadeFixed(std::span<const HitGroup> groups, const uint32_t* l
         if (const uint32_t rest = lanes[g] & ~(alone | together)) shadeFixedPoints(group, rest);
         if (together == 0) continue;
         const ShaderObject& surface = *frame_.shaders->front();
-        packets[count] = {&group, &packetAtHits(*group.rays, together, surface, uint32_t(count))};
+        packets[count] = {&group, &packetAtHits(group, together, surface, RTS_READS_TRACE,
+                                                  uint32_t(count))};
         ++count;
     }
     if (count != 0) shadeFixedPackets({packets, count});
@@ -95,10 +96,6 @@ void RayServices::shadeFixedPackets(std::span<FixedPacket> packets) {
         const RayGroup& rays = *fixed.group->rays;
         const RTSpacket& points = fixed.packet->points;
         shadeTriangles(rays, points.active, fixed.hidden, fixed.group->colors);
-        if (fixed.group->found)
-            forEach(points.active, [&](int i) {
-                fixed.group->found[i].describe(rays.hits.t[i], points, i);
-            });
     }
 }
 
@@ -168,7 +165,6 @@ void RayServices::shadeThroughOthers(const FixedPacket& fixed, uint32_t lights) 
     });
     forEach(points.active, [&](int i) {
         fixed.group->colors[i] = fixed_.shadeAlone(rays.ray(i), rays.hit(i), arrival[i]);
-        if (fixed.group->found) fixed.group->found[i].describe(rays.hits.t[i], points, i);
     });
 }
 

@@ -106,7 +106,14 @@ FrameShading findFrameShading(const Scene& scene, const ShaderTable& shaders,
         const builtin::PointLight* const point = pointLightOf(*light);
         for (uint32_t i = 0; i < samples; ++i)
             shading.lights.push_back({light.get(), i, samples, point});
+        shading.lightsSeePoints |= light->functions().illuminateSample != nullptr;
     }
+    // Transparency is asked at points with all values.
+    shading.readsFootprints =
+        shading.lightsSeePoints || shading.transparent || shading.fixedFunction ||
+        std::ranges::any_of(shading.surfaces, [](const ShaderObject* surface) {
+            return (surface->reads() & RTS_READS_FOOTPRINT) != 0;
+        });
     return shading;
 }
 

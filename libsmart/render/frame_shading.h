@@ -33,6 +33,10 @@ struct FrameShading {
     bool fixedFunction = false; ///< some instances have state blocks
     bool blended = false;       ///< of which some let what is behind shine through
     std::vector<LightPart> lights;
+    /// Some light sees the points as the surfaces do (illuminateSample): these get all values.
+    bool lightsSeePoints = false;
+    /// Whether a surface, or a light, may ask how wide a ray's cone is.
+    bool readsFootprints = false;
 };
 
 /// Asks the shaders of a frame: those in use whether they are opaque, lights how often to be

@@ -87,7 +87,7 @@ std::span<const PixelFragment> LayerPass::coveredAt(uint32_t entry) const {
 void LayerPass::drawBlock(uint32_t packet) {
     LayerPassMemory& pass = *pass_;
     const auto select = [&](uint32_t i) {
-        rays_ = &pass.rays[i];
+        rays_ = &pass.rays.groups[i];
         of_ = &pass.lanes[i];
     };
     uint32_t active[kTilePackets], some = 0;
@@ -498,7 +498,7 @@ void LayerPass::shade(uint32_t packet) {
 
 void LayerPass::shadeGroup(const ShaderObject* surface, std::span<const WantedColor> wanted) {
     LayerPassMemory& pass = *pass_;
-    RayGroup group;
+    LoneRayGroup group;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const LayerHit& kept = pass.hits[pass.fragments[wanted[i].fragment].source];
         group.copyLane(int(i), *rays_, int(kept.lane));

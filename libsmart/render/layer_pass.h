@@ -56,7 +56,7 @@ struct WantedColor {
 
 /// Memory that a pass uses again for one packet of pixels after the other.
 struct LayerPassMemory {
-    RayGroup rays[kTilePackets];
+    RayBlock rays;
     LayerLanes lanes[kTilePackets]; ///< of the rays
     WayCache<LayerSurface> surfaces;
     std::vector<PixelFragment> covered; ///< by pixel primitives: by entry, then in order

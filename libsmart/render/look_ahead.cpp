@@ -2,7 +2,7 @@
 // Shadow rays before a shader asks for them: to a point light they are one tile for the points of
 // several packets, while each packet's shader would ask for its own only.
 #include <algorithm>
-#include <cstring>
+#include <bit>
 
 #include "libsmart/render/ray_services.h"
 
@@ -27,12 +27,24 @@ uint32_t facing(const RTSpacket& points, const RTSvectors& light) {
     });
 }
 
-bool sameLanes(const RTSfloats& a, const RTSfloats& b, uint32_t lanes) {
-    return (lanes & ~lanesWhere([&](int i) { return a.lane[i] == b.lane[i]; })) == 0;
-}
-bool sameLanes(const RTSvectors& a, const RTSvectors& b, uint32_t lanes) {
-    return sameLanes(a.x, b.x, lanes) && sameLanes(a.y, b.y, lanes) && sameLanes(a.z, b.z, lanes);
-}
+/// The bits in which numbers of the lanes differ: the same bits are the same number, and what
+/// shaders hand back of what they were given has them.
+struct Differences {
+    uint32_t of[kPacketSize] = {};
+
+    void add(const RTSfloats& a, const RTSfloats& b) {
+        for (int i = 0; i < kPacketSize; ++i)
+            of[i] |= std::bit_cast<uint32_t>(a.lane[i]) ^ std::bit_cast<uint32_t>(b.lane[i]);
+    }
+    void add(const RTSvectors& a, const RTSvectors& b) {
+        add(a.x, b.x);
+        add(a.y, b.y);
+        add(a.z, b.z);
+    }
+    bool any(uint32_t lanes) const {
+        return (lanes & ~lanesWhere([&](int i) { return of[i] == 0; })) != 0;
+    }
+};
 
 } // namespace
 
@@ -64,12 +76,14 @@ void RayServices::lookAhead(std::span<PointPacket* const> packets) {
 bool RayServices::findAhead(const PointPacket& from, uint32_t lanes, const RTSvectors& origin,
                             const RTSvectors& direction, const RTSfloats& distance,
                             uint32_t& blocked) {
-    if (from.lightsAhead == 0 || !sameLanes(origin, from.points.position, lanes)) return false;
     for (uint32_t light = 0; light < from.lightsAhead; ++light) {
         const LightAhead& ahead = from.ahead[light];
-        if ((lanes & ~ahead.traced) != 0 || !sameLanes(distance, ahead.sample.distance, lanes) ||
-            !sameLanes(direction, ahead.sample.direction, lanes))
-            continue;
+        if ((lanes & ~ahead.traced) != 0) continue;
+        Differences differ;
+        differ.add(origin, from.points.position);
+        differ.add(distance, ahead.sample.distance);
+        differ.add(direction, ahead.sample.direction);
+        if (differ.any(lanes)) continue;
         blocked = ahead.blocked & lanes;
         return true;
     }

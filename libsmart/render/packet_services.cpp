@@ -6,6 +6,7 @@
 #include <iterator>
 #include <vector>
 
+#include "libsmart/render/point_values.h"
 #include "libsmart/render/ray_offset.h"
 #include "libsmart/render/ray_services.h"
 #include "libsmart/shading/corner_attributes.h"
@@ -32,39 +33,6 @@ void getLane(const RTSvectors& from, int lane, float (&to)[3]) {
 template <int N>
 void getLane(const RTSfloats (&from)[N], int lane, float (&to)[N]) {
     for (int k = 0; k < N; ++k) to[k] = from[k].lane[lane];
-}
-
-void setBit(RTuint& mask, int lane, bool value) {
-    mask = (mask & ~(1u << lane)) | (RTuint(value) << lane);
-}
-
-void copyLane(const RTSvectors& from, int lane, RTSvectors& to) {
-    to.x.lane[lane] = from.x.lane[lane];
-    to.y.lane[lane] = from.y.lane[lane];
-    to.z.lane[lane] = from.z.lane[lane];
-}
-template <int N>
-void copyLane(const RTSfloats (&from)[N], int lane, RTSfloats (&to)[N]) {
-    for (int k = 0; k < N; ++k) to[k].lane[lane] = from[k].lane[lane];
-}
-
-/// What PacketMath::surfacePoints fills.
-void copySurfacePoint(const RTSpacket& from, int lane, RTSpacket& to) {
-    copyLane(from.rayOrigin, lane, to.rayOrigin);
-    copyLane(from.rayDirection, lane, to.rayDirection);
-    to.rayDistance.lane[lane] = from.rayDistance.lane[lane];
-    copyLane(from.position, lane, to.position);
-    copyLane(from.geometricNormal, lane, to.geometricNormal);
-    copyLane(from.shadingNormal, lane, to.shadingNormal);
-    copyLane(from.rawNormal, lane, to.rawNormal);
-    copyLane(from.barycentric, lane, to.barycentric);
-    copyLane(from.texCoord, lane, to.texCoord);
-    copyLane(from.color, lane, to.color);
-    setBit(to.frontFace, lane, (from.frontFace >> lane & 1u) != 0);
-    to.object.lane[lane] = from.object.lane[lane];
-    to.instance.lane[lane] = from.instance.lane[lane];
-    to.primitive.lane[lane] = from.primitive.lane[lane];
-    to.texCoordDensity.lane[lane] = from.texCoordDensity.lane[lane];
 }
 
 template <class Value>
@@ -103,21 +71,14 @@ void RayServices::findHits(RayGroup& rays, uint32_t lanes) const {
     kernels_.intersect[precision_](frame_.scene->view(), rays.rays, rays.hits);
 }
 
-void RayServices::findTileHits(RayGroup* groups, const uint32_t* lanes) const {
+void RayServices::findTileHits(RayBlock& block, const uint32_t* lanes) const {
     if (!frame_.scene->readyForTiles(kTilePackets * uint32_t(kPacketSize))) {
         for (uint32_t p = 0; p < kTilePackets; ++p)
-            if (lanes[p]) findHits(groups[p], lanes[p]);
+            if (lanes[p]) findHits(block.groups[p], lanes[p]);
         return;
     }
-    RayPacket packets[kTilePackets];
-    HitPacket found[kTilePackets];
-    for (uint32_t p = 0; p < kTilePackets; ++p) {
-        groups[p].rays.active = lanes[p];
-        packets[p] = groups[p].rays;
-    }
-    kernels_.intersectTile[precision_](frame_.scene->view(), packets, kTilePackets, found);
-    for (uint32_t p = 0; p < kTilePackets; ++p)
-        if (lanes[p]) groups[p].takeHits(found[p]);
+    for (uint32_t p = 0; p < kTilePackets; ++p) block.rays[p].active = lanes[p];
+    kernels_.intersectTile[precision_](frame_.scene->view(), block.rays, kTilePackets, block.hits);
 }
 
 uint32_t RayServices::findOccluded(const RayPacket& rays) const {
@@ -178,10 +139,12 @@ void RayServices::findSurfaces(const RayGroup& rays, uint32_t lanes,
 }
 
 uint32_t RayServices::fillPoints(const RayGroup& rays, uint32_t lanes, const HitChain& way,
-                                 uint32_t instance, RTSpacket& points, float* error) const {
+                                 uint32_t instance, uint32_t reads, RTSpacket& points,
+                                 float* error) const {
+    if (reads == 0) return 0;
     const SurfaceView view = surfaceView(way, instance);
     VertexLanes vertices;
-    if (view.asksVertices()) {
+    if (view.asksVertices(reads)) {
         const int some = std::countr_zero(lanes);
         for (int i = 0; i < kPacketSize; ++i) {
             const int lane = (lanes >> i & 1u) != 0 ? i : some;
@@ -189,7 +152,7 @@ uint32_t RayServices::fillPoints(const RayGroup& rays, uint32_t lanes, const Hit
             for (std::size_t k = 0; k < 3; ++k) vertices[k][i] = corners[k];
         }
     }
-    return math_.surfacePoints(view, vertices, rays.rays, rays.hits, lanes, points, error);
+    return math_.surfacePoints(view, vertices, rays.rays, rays.hits, lanes, reads, points, error);
 }
 
 bool RayServices::findSurface(const RayGroup& rays, uint32_t lanes,
@@ -209,7 +172,8 @@ bool RayServices::findSurface(const RayGroup& rays, uint32_t lanes,
     return same;
 }
 
-PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t number) {
+PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t reads,
+                                      uint32_t number) {
     PointPacket& packet = pool_->at(rays.depth, number);
     packet.services = this;
     packet.surface = nullptr;
@@ -222,63 +186,93 @@ PointPacket& RayServices::beginPacket(const RayGroup& rays, uint32_t lanes, uint
     points.tracer = &packet;
     points.depth = rays.depth;
     points.flags = rays.flags;
-    for (RTSfloats& channel : points.result) channel = {};
+    for (int k = 0; k < 3; ++k) points.result[k] = {};
     std::fill_n(points.result[3].lane, kPacketSize, 1.0f);
     points.resultSet = 0;
     std::memcpy(points.weight.lane, rays.weight, sizeof rays.weight);
-    std::fill_n(points.triangleParam, kPacketSize, nullptr);
-    std::fill_n(points.vertexParam, kPacketSize, nullptr);
-    forEach(lanes, [&](int i) {
-        PixelSample& sample = *rays.sample[i];
-        packet.sample[i] = &sample;
-        points.pixel[0].lane[i] = sample.x;
-        points.pixel[1].lane[i] = sample.y;
-        points.sample.lane[i] = sample.number;
-    });
+    if (packet.hasBlocks) {
+        std::fill_n(points.triangleParam, kPacketSize, nullptr);
+        std::fill_n(points.vertexParam, kPacketSize, nullptr);
+        packet.hasBlocks = false;
+    }
+    forEach(lanes, [&](int i) { packet.sample[i] = rays.sample[i]; });
+    if (reads & RTS_READS_PIXEL)
+        forEach(lanes, [&](int i) {
+            const PixelSample& sample = *rays.sample[i];
+            points.pixel[0].lane[i] = sample.x;
+            points.pixel[1].lane[i] = sample.y;
+            points.sample.lane[i] = sample.number;
+        });
     return packet;
 }
 
-void RayServices::fillLanes(const RayGroup& rays, uint32_t lanes, PointPacket& packet) const {
-    RTSpacket& points = packet.points;
+void RayServices::fillLanes(const RayGroup& rays, uint32_t lanes, uint32_t reads,
+                            PointPacket& packet) const {
     RTSstate state;
+    RTSpacket part;
     forEach(lanes, [&](int i) {
+        const HitChain chain = packet.chain(i);
         const Hit hit = rays.hit(i);
-        HitChain chain = packet.ways[packet.wayOf[i]];
-        chain.triangle = hit.triangle;
         packet.error[i] = -1.0f;
         fillSurfacePoint(chain, hit.path[0], rays.ray(i), hit.t, hit.u, hit.v, state);
-        setLane(points.rayOrigin, i, state.rayOrigin);
-        setLane(points.rayDirection, i, state.rayDirection);
-        points.rayDistance.lane[i] = state.rayDistance;
-        setLane(points.position, i, state.position);
-        setLane(points.geometricNormal, i, state.geometricNormal);
-        setLane(points.shadingNormal, i, state.shadingNormal);
-        setLane(points.rawNormal, i, state.rawNormal);
-        setLane(points.barycentric, i, state.barycentric);
-        setLane(points.texCoord, i, state.texCoord);
-        setLane(points.color, i, state.color);
-        setBit(points.frontFace, i, state.frontFace != 0);
-        points.object.lane[i] = state.object;
-        points.instance.lane[i] = state.instance;
-        points.primitive.lane[i] = state.primitive;
-        points.texCoordDensity.lane[i] = state.texCoordDensity;
+        setLane(part.rayOrigin, i, state.rayOrigin);
+        setLane(part.rayDirection, i, state.rayDirection);
+        part.rayDistance.lane[i] = state.rayDistance;
+        setLane(part.position, i, state.position);
+        setLane(part.geometricNormal, i, state.geometricNormal);
+        setLane(part.shadingNormal, i, state.shadingNormal);
+        setLane(part.rawNormal, i, state.rawNormal);
+        setLane(part.barycentric, i, state.barycentric);
+        setLane(part.texCoord, i, state.texCoord);
+        setLane(part.color, i, state.color);
+        part.frontFace = state.frontFace ? 1u << i : 0u;
+        part.object.lane[i] = state.object;
+        part.instance.lane[i] = state.instance;
+        part.primitive.lane[i] = state.primitive;
+        part.footprint.lane[i] = packet.coneWidth[i];
+        part.texCoordDensity.lane[i] = state.texCoordDensity;
+        copyValues(part, i, reads & ~RTS_READS_PIXEL, packet.points);
     });
     packet.errorsMissing |= lanes;
 }
 
-PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
-                                       const ShaderObject& surface, uint32_t number) {
+void RayServices::fillBlocks(uint32_t lanes, PointPacket& packet) const {
+    RTSpacket& points = packet.points;
+    packet.hasBlocks = true;
+    RTSstate state;
+    forEach(lanes, [&](int i) {
+        getLane(points.barycentric, i, state.barycentric);
+        fillParameterBlocks(packet.chain(i), *frame_.shaders, *packet.surface, packet.scratch[i],
+                            state);
+        points.triangleParam[i] = state.triangleParam;
+        points.vertexParam[i] = state.vertexParam;
+    });
+}
+
+PointPacket& RayServices::packetAtHits(const HitGroup& group, uint32_t lanes,
+                                       const ShaderObject& surface, uint32_t reads,
+                                       uint32_t number) {
     constexpr int kLeastTogether = 3; // fewer are filled one by one
-    PointPacket& packet = beginPacket(rays, lanes, number);
+    const RTshaderclass& functions = surface.functions();
+    const RayGroup& rays = *group.rays;
+    uint32_t needed = reads;
+    if (functions.vertexSize) needed |= RTS_READS_BARYCENTRIC;
+    if (group.found) needed |= RTS_READS_SHADING_NORMAL | RTS_READS_IDS;
+    needed = filledFor(needed);
+    PointPacket& packet = beginPacket(rays, lanes, needed, number);
     packet.surface = &surface;
     RTSpacket& points = packet.points;
+    std::memcpy(packet.triangle, rays.hits.triangle, sizeof packet.triangle);
     std::memcpy(packet.u, rays.hits.u, sizeof packet.u);
     std::memcpy(packet.v, rays.hits.v, sizeof packet.v);
-    for (int i = 0; i < kPacketSize; ++i) {
-        packet.coneSpread[i] = rays.coneSpread[i];
-        packet.coneWidth[i] = rays.coneWidth[i] + rays.coneSpread[i] * rays.hits.t[i];
-        points.footprint.lane[i] = packet.coneWidth[i];
-    }
+    std::memcpy(packet.coneSpread, rays.coneSpread, sizeof packet.coneSpread);
+    if (cones_)
+        for (int i = 0; i < kPacketSize; ++i)
+            packet.coneWidth[i] = rays.coneWidth[i] + rays.coneSpread[i] * rays.hits.t[i];
+    else
+        std::memcpy(packet.coneWidth, rays.coneWidth, sizeof packet.coneWidth);
+    if (needed & RTS_READS_FOOTPRINT)
+        std::memcpy(points.footprint.lane, packet.coneWidth, sizeof packet.coneWidth);
     uint32_t single = 0;
     uint8_t ways = 0;
     for (uint32_t rest = lanes; rest != 0; ++ways) {
@@ -288,31 +282,29 @@ PointPacket& RayServices::packetAtHits(const RayGroup& rays, uint32_t lanes,
         forEach(same, [&](int i) { packet.wayOf[i] = ways; });
         if (way.levels > 1) packet.errorsMissing |= same;
         if (same == lanes) {
-            single = fillPoints(rays, same, way, first.path[0], points, packet.error);
+            single = fillPoints(rays, same, way, first.path[0], needed, points, packet.error);
         } else if (std::popcount(same) < kLeastTogether) {
             single |= same;
         } else {
             RTSpacket part;
             float error[kPacketSize];
-            single |= fillPoints(rays, same, way, first.path[0], part, error);
+            single |= fillPoints(rays, same, way, first.path[0], needed, part, error);
             forEach(same, [&](int i) {
-                copySurfacePoint(part, i, points);
+                copyValues(part, i, needed & ~(RTS_READS_PIXEL | RTS_READS_FOOTPRINT), points);
+                if (needed & RTS_READS_FOOTPRINT)
+                    points.texCoordDensity.lane[i] = part.texCoordDensity.lane[i];
                 packet.error[i] = error[i];
             });
         }
         rest &= ~same;
     }
-    if (single != 0) fillLanes(rays, single, packet);
-    if (surface.functions().triangleSize || surface.functions().vertexSize) {
-        RTSstate state;
-        forEach(lanes, [&](int i) {
-            getLane(points.barycentric, i, state.barycentric);
-            fillParameterBlocks(packet.chain(i), *frame_.shaders, surface, packet.scratch[i],
-                                state);
-            points.triangleParam[i] = state.triangleParam;
-            points.vertexParam[i] = state.vertexParam;
-        });
-    }
+    if ((reads & RTS_READS_TRACE) != RTS_READS_TRACE) packet.errorsMissing = lanes;
+    if (single != 0) fillLanes(rays, single, needed, packet);
+    if (functions.triangleSize || functions.vertexSize) fillBlocks(lanes, packet);
+    if (group.found)
+        forEach(lanes, [&](int i) { group.found[i].describe(rays.hits.t[i], points, i); });
+    clearValues(points, (packet.filled | needed) & ~reads);
+    packet.filled = reads;
     return packet;
 }
 
@@ -327,7 +319,8 @@ void RayServices::shadeMisses(const RayGroup& rays, uint32_t lanes,
         forEach(lanes, [&](int i) { colors[i] = shadeMiss(rays.ray(i), rays.path(i)); });
     };
     if (!environment->functions().shadePacket || !asPacket(lanes, rays.depth)) return oneByOne();
-    PointPacket& packet = beginPacket(rays, lanes);
+    PointPacket& packet = beginPacket(rays, lanes, RTS_READS_EVERYTHING);
+    packet.filled = RTS_READS_EVERYTHING;
     RTSpacket& points = packet.points;
     for (RTSvectors* vectors : {&points.position, &points.geometricNormal, &points.shadingNormal,
                                 &points.rawNormal})
@@ -431,7 +424,7 @@ RTuint RayServices::packetTraceHit(RTSpacket* packet, RTuint lanes, const RTSvec
     for (RTSids* ids : {&found->object, &found->instance, &found->primitive})
         std::fill_n(ids->lane, kPacketSize, kNoId);
     if (lanes == 0 || (packet->flags & RTS_STOPPED)) return 0;
-    RayGroup rays;
+    LoneRayGroup rays;
     self.spawn(from, lanes, *origin, *direction, rays);
     self.counters_.secondaryRays += uint64_t(std::popcount(lanes));
     self.findHits(rays, lanes);
@@ -525,7 +518,7 @@ void RayServices::packetEnvironment(RTSpacket* packet, RTuint lanes, const RTSve
     *radiance = {};
     // Environment shaders that ask the environment would go on for ever.
     if (lanes == 0 || packet->depth > self.recursionLimit_) return;
-    RayGroup rays;
+    LoneRayGroup rays;
     rays.depth = packet->depth + 1;
     rays.flags = packet->flags;
     forEach(lanes, [&](int i) {

@@ -16,23 +16,30 @@ bool ShadingServices<Shading>::shadePacket(PointPacket& packet, const HitGroup& 
     const uint32_t lanes = points.active;
     RandomStream random[kPacketSize];
     uint32_t faults = 0;
-    forEach(lanes, [&](int i) {
-        random[i] = packet.sample[i]->random;
-        faults |= packet.sample[i]->fault ? 1u << i : 0u;
-    });
+    if (!group.rays->fresh)
+        forEach(lanes, [&](int i) {
+            random[i] = packet.sample[i]->random;
+            faults |= packet.sample[i]->fault ? 1u << i : 0u;
+        });
     if (Shading::template shadePacket<ShadingServices>(*packet.surface, points) != 0) {
         forEach(lanes, [&](int i) {
-            packet.sample[i]->random = random[i];
-            packet.sample[i]->fault = (faults >> i & 1u) != 0;
+            PixelSample& sample = *packet.sample[i];
+            if (group.rays->fresh)
+                sample = PixelSample(sample.x, sample.y, sample.number, frame_.seed);
+            else
+                sample.random = random[i];
+            sample.fault = (faults >> i & 1u) != 0;
         });
         return false;
     }
-    forEach(lanes, [&](int i) {
+    const auto color = [&](int i) {
         group.colors[i] = {points.result[0].lane[i], points.result[1].lane[i],
                            points.result[2].lane[i], points.result[3].lane[i]};
-    });
-    if (group.found)
-        forEach(lanes, [&](int i) { group.found[i].describe(group.rays->hits.t[i], points, i); });
+    };
+    if (lanes == (1u << kPacketSize) - 1u)
+        for (int i = 0; i < kPacketSize; ++i) color(i);
+    else
+        forEach(lanes, color);
     return true;
 }
 
@@ -50,7 +57,8 @@ template <class Shading>
 void ShadingServices<Shading>::shadeLanes(const ShaderObject* surface, const HitGroup& group,
                                           uint32_t lanes) {
     if (surface && Shading::shadesPackets(*surface) && asPacket(lanes, group.rays->depth) &&
-        shadePacket(packetAtHits(*group.rays, lanes, *surface), group))
+        shadePacket(
+            packetAtHits(group, lanes, *surface, valuesFor(Shading::reads(*surface))), group))
         return;
     shadePoints(group, lanes);
 }
@@ -83,9 +91,10 @@ void ShadingServices<Shading>::shadeGroups(const ShaderObject* surface,
         for (const HitGroup& group : groups) shadeLanes(surface, group, group.lanes);
         return;
     }
+    const uint32_t reads = valuesFor(Shading::reads(*surface));
     PointPacket* packets[kTilePackets];
     for (std::size_t i = 0; i < groups.size(); ++i)
-        packets[i] = &packetAtHits(*groups[i].rays, groups[i].lanes, *surface, uint32_t(i));
+        packets[i] = &packetAtHits(groups[i], groups[i].lanes, *surface, reads, uint32_t(i));
     lookAhead({packets, groups.size()});
     pool_->shadowGuess.learn(surface, false);
     for (std::size_t i = 0; i < groups.size(); ++i)
@@ -147,7 +156,7 @@ RTuint ShadingServices<Shading>::packetTrace(RTSpacket* packet, RTuint lanes,
     ShadingServices& self = static_cast<ShadingServices&>(*from.services);
     *radiance = {};
     if (packet->flags & RTS_STOPPED) return 0;
-    RayGroup rays;
+    LoneRayGroup rays;
     rays.depth = packet->depth + 1;
     rays.flags = packet->flags;
     uint32_t traced = 0;
@@ -177,18 +186,21 @@ RTuint ShadingServices<Shading>::packetShadow(RTSpacket* packet, RTuint lanes,
                                               const RTSfloats* distance, RTScolors* attenuation) {
     PointPacket& from = packetOf(*packet);
     ShadingServices& self = static_cast<ShadingServices&>(*from.services);
-    *attenuation = {};
     lanes &= packet->active;
-    if (packet->flags & RTS_STOPPED) return 0;
-    uint32_t traced = 0;
-    forEach(lanes, [&](int i) {
-        for (RTSfloats* channel : {&attenuation->r, &attenuation->g, &attenuation->b})
-            channel->lane[i] = 1.0f;
-        if (distance->lane[i] > 0.0f) traced |= 1u << i;
-    });
+    if (packet->flags & RTS_STOPPED) {
+        *attenuation = {};
+        return 0;
+    }
+    const uint32_t traced = lanesWhere([&](int i) { return distance->lane[i] > 0.0f; }) & lanes;
+    const auto pass = [&](uint32_t open) {
+        for (int i = 0; i < kPacketSize; ++i)
+            attenuation->r.lane[i] = attenuation->g.lane[i] = attenuation->b.lane[i] =
+                (open & openrt::detail::kLaneBit[i]) != 0 ? 1.0f : 0.0f;
+    };
+    if (traced == 0 || self.shading_.transparent) pass(lanes);
     if (traced == 0) return lanes;
     if (self.shading_.transparent) {
-        RayGroup rays;
+        LoneRayGroup rays;
         rays.depth = packet->depth + 1;
         rays.flags = packet->flags;
         self.spawn(from, traced, *origin, *direction, rays);
@@ -214,10 +226,7 @@ RTuint ShadingServices<Shading>::packetShadow(RTSpacket* packet, RTuint lanes,
         for (int i = 0; i < kPacketSize; ++i) rays.tFar[i] = distance->lane[i] * kBeforeLight;
         blocked = self.findOccluded(rays);
     }
-    forEach(blocked, [&](int i) {
-        for (RTSfloats* channel : {&attenuation->r, &attenuation->g, &attenuation->b})
-            channel->lane[i] = 0.0f;
-    });
+    pass(lanes & ~blocked);
     return lanes;
 }
 

@@ -34,9 +34,12 @@ struct PointPacket {
     RTSpacket points;
     RayServices* services;
     const ShaderObject* surface; ///< nullptr: the points are on none
+    uint32_t filled; ///< values of the points (RTS_READS_...) that are not 0
+    bool hasBlocks;  ///< some lane's parameter blocks are set
     PixelSample* sample[kPacketSize];
     float coneWidth[kPacketSize], coneSpread[kPacketSize]; ///< of the rays that go on
     // Of points on a surface:
+    uint32_t triangle[kPacketSize];
     float u[kPacketSize], v[kPacketSize];
     float error[kPacketSize]; ///< surfaceError
     uint32_t errorsMissing;   ///< lanes whose error is not yet known
@@ -49,7 +52,7 @@ struct PointPacket {
     bool atSurface() const { return surface != nullptr; }
     HitChain chain(int lane) const {
         HitChain chain = ways[wayOf[lane]];
-        chain.triangle = points.primitive.lane[lane];
+        chain.triangle = triangle[lane];
         return chain;
     }
     RayCone cone(int lane) const { return {coneWidth[lane], coneSpread[lane]}; }

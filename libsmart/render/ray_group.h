@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "libsmart/kernel/kernels.h"
 #include "libsmart/kernel/packet.h"
 #include "libsmart/render/ray_cone.h"
 #include "libsmart/render/sampling.h"
@@ -34,11 +35,17 @@ inline uint32_t lanesWhere(Condition&& condition) {
 /// said beside; the others hold nothing.
 struct RayGroup {
     uint32_t depth = 0, flags = 0; ///< of all
-    RayPacket rays;                ///< `active` is set by those who trace them
-    HitPacket hits;                ///< triangle is kNoHit where nothing was met
+    /// Nothing has been drawn from the samples' random numbers, and none of them is a fault.
+    bool fresh = false;
+    RayPacket& rays; ///< `active` is set by those who trace them
+    HitPacket& hits; ///< triangle is kNoHit where nothing was met
     float coneWidth[kPacketSize], coneSpread[kPacketSize];
     float weight[kPacketSize];
     PixelSample* sample[kPacketSize];
+
+    RayGroup(RayPacket& itsRays, HitPacket& itsHits) : rays(itsRays), hits(itsHits) {}
+    RayGroup(const RayGroup&) = delete;
+    RayGroup& operator=(const RayGroup&) = delete;
 
     Ray ray(int lane) const {
         return {{rays.org[0][lane], rays.org[1][lane], rays.org[2][lane]},
@@ -78,21 +85,6 @@ struct RayGroup {
         for (uint32_t level = 0; level < hit.levels; ++level)
             hits.path[level][lane] = hit.path[level];
     }
-    /// As many levels as one of the active rays needs.
-    void takeHits(const HitPacket& found) {
-        uint32_t levels = 0;
-        for (int i = 0; i < kPacketSize; ++i) {
-            const bool counts = found.triangle[i] != kNoHit && (rays.active >> i & 1u) != 0;
-            levels = std::max(levels, counts ? found.levels[i] : 0u);
-        }
-        std::copy_n(found.t, kPacketSize, hits.t);
-        std::copy_n(found.u, kPacketSize, hits.u);
-        std::copy_n(found.v, kPacketSize, hits.v);
-        std::copy_n(found.triangle, kPacketSize, hits.triangle);
-        std::copy_n(found.levels, kPacketSize, hits.levels);
-        for (uint32_t level = 0; level < levels; ++level)
-            std::copy_n(found.path[level], kPacketSize, hits.path[level]);
-    }
     RayCone cone(int lane) const { return {coneWidth[lane], coneSpread[lane]}; }
     void setCone(int lane, const RayCone& cone) {
         coneWidth[lane] = cone.width;
@@ -128,6 +120,24 @@ struct RayGroup {
     uint32_t hitLanes() const {
         return lanesWhere([&](int i) { return hits.triangle[i] != kNoHit; });
     }
+};
+
+/// Memory for the rays of a group and what they met.
+struct RayMemory {
+    RayPacket ownRays;
+    HitPacket ownHits;
+};
+/// A group by itself.
+struct LoneRayGroup : private RayMemory, RayGroup {
+    LoneRayGroup() : RayGroup(ownRays, ownHits) {}
+};
+
+/// Groups of neighbours, which are traced as one tile: their rays lie side by side.
+struct RayBlock {
+    RayPacket rays[kTilePackets];
+    HitPacket hits[kTilePackets];
+    RayGroup groups[kTilePackets] = {
+        {rays[0], hits[0]}, {rays[1], hits[1]}, {rays[2], hits[2]}, {rays[3], hits[3]}};
 };
 
 /// function(lane) for each of the lanes, from the lowest up.

@@ -34,6 +34,8 @@ RayServices::RayServices(const Frame& frame, TilePixels& counters, ShadingForm f
       math_(packetMathOf(kernels_)),
       precision_(std::size_t(frame.scene->precision())),
       recursionLimit_(std::min(frame.recursionLimit, kMaxRecursion)),
+      cones_(shading_.readsFootprints || frame.environment || frame.renderingObject ||
+             frame.camera),
       functions_(functions),
       packetFunctions_(packetFunctions),
       form_(form) {
@@ -97,7 +99,7 @@ bool RayServices::makeCameraRay(const CameraRays& camera, double x, double y, Pi
 uint32_t RayServices::makeCameraRays(const CameraRays& camera, const double (&x)[kPacketSize],
                                      const double (&y)[kPacketSize], uint32_t lanes,
                                      RayGroup& rays) {
-    if (!frame_.camera) return camera.makePacket(math_, x, y, rays) & lanes;
+    if (!frame_.camera) return camera.makePacket(math_, x, y, cones_, rays) & lanes;
     uint32_t made = 0;
     forEach(lanes, [&](int i) {
         Ray ray;
@@ -108,6 +110,21 @@ uint32_t RayServices::makeCameraRays(const CameraRays& camera, const double (&x)
         made |= 1u << i;
     });
     return made;
+}
+
+void RayServices::findColumns(const CameraRays& camera, const double* x, uint32_t packets,
+                              LensLanes* columns) const {
+    math_.lensColumns(camera.lens(), x, packets, columns);
+}
+
+void RayServices::findRows(const CameraRays& camera, const double* y, uint32_t packets,
+                           LensLanes* rows) const {
+    math_.lensRows(camera.lens(), y, packets, rows);
+}
+
+uint32_t RayServices::makeCameraRays(const CameraRays& camera, const LensLanes& columns,
+                                     const LensLanes& rows, RayGroup& rays) const {
+    return camera.makePacket(math_, columns, rows, cones_, rays);
 }
 
 bool RayServices::visit(const Ray& ray, const PathState& path, PointState& point,

@@ -115,13 +115,22 @@ public:
     /// The same for the given lanes, whose samples are set; returns those that have a ray.
     uint32_t makeCameraRays(const CameraRays& camera, const double (&x)[kPacketSize],
                             const double (&y)[kPacketSize], uint32_t lanes, RayGroup& rays);
+    /// What the camera makes of columns, and rows, of the picture, sixteen at a time, where no
+    /// shader is asked;
+    void findColumns(const CameraRays& camera, const double* x, uint32_t packets,
+                     LensLanes* columns) const;
+    void findRows(const CameraRays& camera, const double* y, uint32_t packets,
+                  LensLanes* rows) const;
+    /// and rays of these. Returns the lanes that have one.
+    uint32_t makeCameraRays(const CameraRays& camera, const LensLanes& columns,
+                            const LensLanes& rows, RayGroup& rays) const;
     /// What a camera ray meets, not yet shaded; false: nothing.
     bool visit(const Ray& ray, const PathState& path, PointState& point, ShadedSample& found);
 
     /// Finds what the rays of the given lanes meet.
     void findHits(RayGroup& rays, uint32_t lanes) const;
-    /// The same for the kTilePackets groups of neighbouring camera rays.
-    void findTileHits(RayGroup* groups, const uint32_t* lanes) const;
+    /// The same for a block of camera rays.
+    void findTileHits(RayBlock& block, const uint32_t* lanes) const;
     /// Everything that the active rays of a packet meet.
     void findAllHits(const RayPacket& rays, AllHits& found) const;
     /// The surface shader of what a ray hit; nullptr: there is none.
@@ -211,10 +220,15 @@ protected:
         return form_ == ShadingForm::Packets && depth < kMaxPacketDepth &&
                std::popcount(lanes) >= kLeastLanes;
     }
-    /// The packet of what the given rays hit, which all has the shader. `number`: among those of
-    /// camera rays, which may be filled before one of them is shaded.
-    PointPacket& packetAtHits(const RayGroup& rays, uint32_t lanes, const ShaderObject& surface,
-                              uint32_t number = 0);
+    /// What the points of a surface have to hold that says what it reads (RTS_READS_...).
+    uint32_t valuesFor(uint32_t reads) const {
+        return shading_.lightsSeePoints ? RTS_READS_EVERYTHING : reads;
+    }
+    /// The packet of what the given lanes of a group hit, which all has the shader, with the given
+    /// values of the points; others are 0. What is to be known beside the colour is stored.
+    /// `number`: among those of camera rays, which may be filled before one of them is shaded.
+    PointPacket& packetAtHits(const HitGroup& group, uint32_t lanes, const ShaderObject& surface,
+                              uint32_t reads, uint32_t number = 0);
     /// Finds what the lights send to neighbouring packets, and whether it arrives, with all rays
     /// to a light in one tile.
     void lookAhead(std::span<PointPacket* const> packets);
@@ -240,6 +254,7 @@ protected:
     const PacketMath& math_;
     const std::size_t precision_;
     const uint32_t recursionLimit_;
+    const bool cones_; ///< of camera rays that no shader makes: whether anybody asks for them
     const ThreadLoan<PacketPool> pool_;
 
 private:
@@ -248,12 +263,16 @@ private:
     /// What a light's answer amounts to; 0: it contributes nothing.
     static int finishLight(const LightPart& part, int answer, PixelSample& asked,
                            RTSlightsample& sample);
-    PointPacket& beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t number = 0);
+    PointPacket& beginPacket(const RayGroup& rays, uint32_t lanes, uint32_t reads,
+                             uint32_t number = 0);
     /// Fills lanes whose hits are in one model, met in one way; returns those that it leaves.
     uint32_t fillPoints(const RayGroup& rays, uint32_t lanes, const HitChain& way,
-                        uint32_t instance, RTSpacket& points, float* error) const;
+                        uint32_t instance, uint32_t reads, RTSpacket& points, float* error) const;
     /// Fills lanes one by one that the loops over lanes do not take.
-    void fillLanes(const RayGroup& rays, uint32_t lanes, PointPacket& packet) const;
+    void fillLanes(const RayGroup& rays, uint32_t lanes, uint32_t reads,
+                   PointPacket& packet) const;
+    /// Points the lanes to the parameter blocks of their triangles and vertices.
+    void fillBlocks(uint32_t lanes, PointPacket& packet) const;
     /// The way of a hit from the scene to the triangle.
     const HitChain& chainTo(const Hit& hit);
     /// Lanes to which the light contributes.

@@ -17,6 +17,8 @@ struct DynamicShading {
     static bool answersTransparency(const ShaderObject& surface) {
         return surface.functions().transparency != nullptr;
     }
+    /// RTS_READS_...
+    static uint32_t reads(const ShaderObject& surface) { return surface.reads(); }
     template <class Services>
     static int shade(const ShaderObject& surface, RTSstate& state) {
         return surface.functions().shade(surface.block(), &state);
@@ -106,6 +108,13 @@ struct FixedShading {
     }
     static constexpr bool answersTransparency(const ShaderObject&) {
         return openrt::detail::AnswersTransparency<S>;
+    }
+    /// Known to the compiler where S says it as a constant.
+    static uint32_t reads(const ShaderObject& surface) {
+        if constexpr (openrt::detail::SaysWhatItReads<S>)
+            return openrt::detail::Functions<S>::reads(surface.block());
+        else
+            return RTS_READS_EVERYTHING;
     }
     template <class Services>
     static int shade(const ShaderObject& surface, RTSstate& state) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "libsmart/render/crossings.h"
+#include "libsmart/render/point_values.h"
 #include "libsmart/render/ray_services.h"
 #include "libsmart/render/shading_policy.h"
 
@@ -81,7 +82,10 @@ glm::vec4 ShadingServices<Shading>::shadeHit(const Ray& ray, const Hit& hit, con
     if (found) found->describe(hit, state);
     if (isFixed(point.chain)) return fixed_.shade(point, hit);
     const ShaderObject* shader = findSurface(point.chain);
-    if (shader) fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, state);
+    if (shader) {
+        fillParameterBlocks(point.chain, *frame_.shaders, *shader, point.scratch, state);
+        clearValues(state, ~valuesFor(Shading::reads(*shader)));
+    }
     if (!shader || Shading::template shade<ShadingServices>(*shader, state) != 0) {
         path.sample->fault = true;
         return {0.0f, 0.0f, 0.0f, 1.0f};

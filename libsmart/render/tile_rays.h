@@ -42,9 +42,13 @@ constexpr uint32_t entryOf(uint32_t ray) {
 
 /// What a tile needs while one sample of each of its pixels is made.
 struct TileRays {
-    TileRays() : packets{}, active{}, collected{} {
+    TileRays() : blocks{}, active{} {
+        for (LoneRayGroup& group : collected) {
+            group.rays = {}; // lanes without a ray are computed along
+            group.hits = {};
+        }
         for (uint32_t ray = 0; ray < TilePixels::kCount; ++ray) {
-            RayGroup& group = packets[ray / uint32_t(kPacketSize)];
+            RayGroup& group = packet(ray / uint32_t(kPacketSize));
             group.sample[ray % uint32_t(kPacketSize)] = &samples[ray];
             group.weight[ray % uint32_t(kPacketSize)] = 1.0f;
         }
@@ -52,15 +56,24 @@ struct TileRays {
     TileRays(const TileRays&) = delete;
     TileRays& operator=(const TileRays&) = delete;
 
-    RayGroup packets[tile_order::kPackets]; ///< of camera rays: weights are 1, samples stay
+    RayGroup& packet(uint32_t number) {
+        return blocks[number / kTilePackets].groups[number % kTilePackets];
+    }
+
+    /// Of camera rays: weights are 1, samples stay.
+    RayBlock blocks[tile_order::kPackets / kTilePackets];
     uint32_t active[tile_order::kPackets]; ///< lanes with a ray
     PixelSample samples[TilePixels::kCount];
     HitGroups groups; ///< of packets that do not hit one surface
     HitGroups::RayNumber misses[TilePixels::kCount];
-    RayGroup collected[kTilePackets]; ///< rays of different packets
+    LoneRayGroup collected[kTilePackets]; ///< rays of different packets
     ShadedSample found[kTilePackets][kPacketSize];
 
-    // By ray, over all samples.
+    /// Of pixel centres: by the packets' columns and rows of the tile.
+    LensLanes columns[kTileSize / tile_order::kPacketSide],
+        rows[kTileSize / tile_order::kPacketSide];
+
+    // By ray, over all samples, where there are several.
     glm::vec4 sum[TilePixels::kCount];
     bool bad[TilePixels::kCount];
 };

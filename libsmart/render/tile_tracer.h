@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <span>
 
 #include "libsmart/render/rendering_object.h"
@@ -24,7 +23,8 @@ public:
           camera_(frame),
           services_(frame, pixels, form),
           samples_(std::max(frame.samples, 1u)),
-          keepsFirst_(frame.target.aux.any()) {}
+          keepsFirst_(frame.target.aux.any()),
+          ofCentres_(samples_ == 1 && !frame.camera) {}
 
     void tracePackets();
     /// For frames with a rendering object, which says how pixels are made.
@@ -46,6 +46,8 @@ private:
     /// Fills a pixel as one where nothing is; true where the camera sees it.
     bool clear(uint32_t i, uint32_t j);
     uint32_t visibleLanes(uint32_t packet);
+    /// What the lens makes of the tile's columns and rows.
+    void findCentres();
     void makeRays(uint32_t packet, uint32_t sample);
     /// Makes the rays of an 8 x 8 block from a packet on, and finds what they hit.
     void traceBlock(uint32_t packet, uint32_t sample);
@@ -55,12 +57,16 @@ private:
     /// Copies sixteen rays, or as many as there are, to a packet of their own.
     Part collect(const ShaderObject* surface, std::span<const RayNumber> rays, RayGroup& group);
     void finish(const Part& part, const glm::vec4 (&colors)[kPacketSize]);
+    /// Adds what a sample of a ray's pixel sees; with one sample a pixel it is stored at once.
+    void add(uint32_t ray, const glm::vec4& color, bool fault);
+    void storePixel(uint32_t ray, const glm::vec4& color, bool bad);
+    /// Stores the colours of a packet whose pixels have one sample, if all are fine.
+    bool storeWhole(uint32_t packet, const glm::vec4 (&colors)[kPacketSize]);
     /// Parts of the same surface are shaded together.
     void shadeHits(std::span<const Part> parts, uint32_t sample);
     void shadeMisses(const Part& part);
     void storeFirst(uint32_t entry, const Ray& ray, const ShadedSample& sample);
-    /// Stores a packet whose pixels are all visible and fine; false: it is not such a one.
-    bool storeWhole(uint32_t packet);
+    /// Stores the means of several samples.
     void storeColors();
 
     const Frame& frame_;
@@ -70,18 +76,22 @@ private:
     ShadingServices<Shading> services_;
     const uint32_t samples_;
     const bool keepsFirst_; ///< more of a pixel is wanted than its colour
+    const bool ofCentres_;  ///< the lens makes the rays, one through each pixel's centre
     const ThreadLoan<TileRays> rays_;
     uint32_t visible_[tile_order::kPackets]; ///< lanes whose pixel the camera sees
 };
 
 template <class Shading>
 void TileTracer<Shading>::tracePackets() {
-    std::fill_n(rays_->sum, TilePixels::kCount, glm::vec4(0.0f));
-    std::fill_n(rays_->bad, TilePixels::kCount, false);
+    if (samples_ > 1) {
+        std::fill_n(rays_->sum, TilePixels::kCount, glm::vec4(0.0f));
+        std::fill_n(rays_->bad, TilePixels::kCount, false);
+    }
+    if (ofCentres_) findCentres();
     for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet)
         visible_[packet] = visibleLanes(packet);
     for (uint32_t sample = 0; sample < samples_; ++sample) traceSample(sample);
-    storeColors();
+    if (samples_ > 1) storeColors();
 }
 
 template <class Shading>
@@ -124,31 +134,47 @@ uint32_t TileTracer<Shading>::visibleLanes(uint32_t packet) {
 }
 
 template <class Shading>
+void TileTracer<Shading>::findCentres() {
+    constexpr uint32_t kSide = tile_order::kPacketSide, kSides = kTileSize / kSide;
+    double x[kSides * kLanes], y[kSides * kLanes];
+    for (uint32_t i = 0; i < kSides * kLanes; ++i) {
+        const uint32_t corner = i / kLanes * kSide, lane = i % kLanes;
+        x[i] = double(tile_.x + corner) + 0.5 + double(lane % kSide);
+        y[i] = double(tile_.y + corner) + 0.5 + double(lane / kSide);
+    }
+    services_.findColumns(camera_, x, kSides, rays_->columns);
+    services_.findRows(camera_, y, kSides, rays_->rows);
+}
+
+template <class Shading>
 void TileTracer<Shading>::makeRays(uint32_t packet, uint32_t sample) {
     const tile_order::Corner corner = tile_order::cornerOf(packet);
-    RayGroup& group = rays_->packets[packet];
+    RayGroup& group = rays_->packet(packet);
     const uint32_t left = tile_.x + corner.x, bottom = tile_.y + corner.y;
-    double atX[kPacketSize], atY[kPacketSize];
-    const double firstX = left + 0.5, firstY = bottom + 0.5;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-        const uint32_t column = lane % tile_order::kPacketSide;
-        const uint32_t row = lane / tile_order::kPacketSide;
-        rays_->samples[packet * kLanes + lane] =
-            PixelSample(left + column, bottom + row, sample, frame_.seed);
-        atX[lane] = firstX + double(column);
-        atY[lane] = firstY + double(row);
-    }
-    if (samples_ > 1)
+    PixelSample* const samples = &rays_->samples[packet * kLanes];
+    for (uint32_t lane = 0; lane < kLanes; ++lane)
+        samples[lane] = PixelSample(left + lane % tile_order::kPacketSide,
+                                    bottom + lane / tile_order::kPacketSide, sample, frame_.seed);
+    const uint32_t lanes = visible_[packet];
+    group.fresh = !frame_.camera;
+    if (ofCentres_) {
+        rays_->active[packet] =
+            services_.makeCameraRays(camera_, rays_->columns[corner.x / tile_order::kPacketSide],
+                                     rays_->rows[corner.y / tile_order::kPacketSide], group) &
+            lanes;
+    } else {
+        double atX[kPacketSize], atY[kPacketSize];
         for (uint32_t lane = 0; lane < kLanes; ++lane) {
-            const PixelSample& drawn = rays_->samples[packet * kLanes + lane];
-            const glm::vec2 at = samplePosition(drawn.x, drawn.y, frame_.seed, sample, samples_);
+            const PixelSample& drawn = samples[lane];
+            const glm::vec2 at =
+                samplePosition(drawn.x, drawn.y, frame_.seed, sample, samples_);
             atX[lane] = double(drawn.x) + at.x;
             atY[lane] = double(drawn.y) + at.y;
         }
-    const uint32_t lanes = visible_[packet];
-    rays_->active[packet] = services_.makeCameraRays(camera_, atX, atY, lanes, group);
+        rays_->active[packet] = services_.makeCameraRays(camera_, atX, atY, lanes, group);
+    }
     forEach(lanes & ~rays_->active[packet],
-            [&](int i) { rays_->bad[packet * kLanes + uint32_t(i)] = true; });
+            [&](int i) { add(packet * kLanes + uint32_t(i), glm::vec4(0.0f), true); });
 }
 
 template <class Shading>
@@ -159,7 +185,8 @@ void TileTracer<Shading>::traceBlock(uint32_t packet, uint32_t sample) {
         if (visible_[p] != 0) makeRays(p, sample);
         some |= rays_->active[p];
     }
-    if (some != 0) services_.findTileHits(&rays_->packets[packet], &rays_->active[packet]);
+    if (some != 0)
+        services_.findTileHits(rays_->blocks[packet / kTilePackets], &rays_->active[packet]);
 }
 
 template <class Shading>
@@ -195,7 +222,7 @@ void TileTracer<Shading>::shadeBlock(uint32_t packet, std::size_t& misses, uint3
     for (uint32_t p = packet; p < packet + kTilePackets; ++p) {
         const uint32_t active = rays_->active[p];
         if (active == 0) continue;
-        const RayGroup& group = rays_->packets[p];
+        const RayGroup& group = rays_->packet(p);
         pixels_.primaryRays += uint64_t(std::popcount(active));
         const uint32_t hits = group.hitLanes() & active;
         forEach(active & ~hits, [&](int i) {
@@ -203,7 +230,7 @@ void TileTracer<Shading>::shadeBlock(uint32_t packet, std::size_t& misses, uint3
             if (frame_.environment)
                 rays_->misses[misses++] = ray;
             else
-                rays_->sum[ray] += frame_.clearColor;
+                add(ray, frame_.clearColor, false);
         });
         if (hits == 0) continue;
         const ShaderObject* surface = nullptr;
@@ -241,8 +268,9 @@ typename TileTracer<Shading>::Part TileTracer<Shading>::collect(const ShaderObje
     part.rays = &group;
     part.lanes = (1u << count) - 1u;
     part.inOrder = false;
+    group.fresh = !frame_.camera;
     for (uint32_t i = 0; i < count; ++i) {
-        group.copyLane(int(i), rays_->packets[rays[i] / kLanes], int(rays[i] % kLanes));
+        group.copyLane(int(i), rays_->packet(rays[i] / kLanes), int(rays[i] % kLanes));
         part.ray[i] = rays[i];
     }
     return part;
@@ -279,14 +307,42 @@ void TileTracer<Shading>::shadeMisses(const Part& part) {
 
 template <class Shading>
 void TileTracer<Shading>::finish(const Part& part, const glm::vec4 (&colors)[kPacketSize]) {
-    const auto add = [&](uint32_t ray, uint32_t lane) { // a bad pixel's sum is no matter
-        rays_->sum[ray] += colors[lane];
-        rays_->bad[ray] |= rays_->samples[ray].fault;
-    };
-    if (part.inOrder && part.lanes == kAllLanes)
-        for (uint32_t lane = 0; lane < kLanes; ++lane) add(part.ray[0] + lane, lane);
-    else
-        forEach(part.lanes, [&](int lane) { add(part.ray[lane], uint32_t(lane)); });
+    const bool whole = part.inOrder && part.lanes == kAllLanes;
+    if (whole && samples_ == 1 && storeWhole(part.ray[0] / kLanes, colors)) return;
+    forEach(part.lanes, [&](int lane) {
+        add(part.ray[lane], colors[lane], rays_->samples[part.ray[lane]].fault);
+    });
+}
+
+template <class Shading>
+void TileTracer<Shading>::add(uint32_t ray, const glm::vec4& color, bool fault) {
+    if (samples_ == 1) return storePixel(ray, color + 0.0f, fault); // + 0: no negative zero
+    rays_->sum[ray] += color; // a bad pixel's is no matter
+    rays_->bad[ray] |= fault;
+}
+
+template <class Shading>
+void TileTracer<Shading>::storePixel(uint32_t ray, const glm::vec4& color, bool bad) {
+    bad |= !isFinite(color);
+    pixels_.badPixels += bad;
+    pixels_.color[tile_order::entryOf(ray)] = bad ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : color;
+}
+
+template <class Shading>
+bool TileTracer<Shading>::storeWhole(uint32_t packet, const glm::vec4 (&colors)[kPacketSize]) {
+    const PixelSample* const samples = &rays_->samples[packet * kLanes];
+    glm::vec4 none(0.0f); // NaN where a colour is not finite
+    bool fault = false;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        none += colors[lane] - colors[lane];
+        fault |= samples[lane].fault;
+    }
+    if (fault || none != glm::vec4(0.0f)) return false;
+    glm::vec4* to = &pixels_.color[tile_order::entryOf(packet * kLanes)];
+    for (uint32_t row = 0; row < tile_order::kPacketSide; ++row, to += kTileSize)
+        for (uint32_t column = 0; column < tile_order::kPacketSide; ++column)
+            to[column] = colors[row * tile_order::kPacketSide + column] + 0.0f;
+    return true;
 }
 
 // The pixel's values beside the colour are those of its first sample.
@@ -302,37 +358,13 @@ void TileTracer<Shading>::storeFirst(uint32_t entry, const Ray& ray, const Shade
 }
 
 template <class Shading>
-bool TileTracer<Shading>::storeWhole(uint32_t packet) {
-    const glm::vec4* const colors = &rays_->sum[packet * kLanes];
-    glm::vec4 none(0.0f); // NaN where a colour is not finite
-    bool bad = visible_[packet] != kAllLanes;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-        none += colors[lane] - colors[lane];
-        bad |= rays_->bad[packet * kLanes + lane];
-    }
-    if (bad || none != glm::vec4(0.0f)) return false;
-    for (uint32_t lane = 0; lane < kLanes; lane += tile_order::kPacketSide)
-        std::memcpy(&pixels_.color[tile_order::entryOf(packet * kLanes + lane)], &colors[lane],
-                    tile_order::kPacketSide * sizeof(glm::vec4));
-    return true;
-}
-
-template <class Shading>
 void TileTracer<Shading>::storeColors() {
-    if (samples_ > 1)
-        for (glm::vec4& sum : rays_->sum) sum = sum / float(samples_);
-    for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet) {
-        if (storeWhole(packet)) continue;
+    for (uint32_t packet = 0; packet < tile_order::kPackets; ++packet)
         forEach(visible_[packet], [&](int i) {
             const uint32_t ray = packet * kLanes + uint32_t(i);
-            const glm::vec4& mean = rays_->sum[ray];
             // Finite samples may add up to what is not.
-            const bool bad = rays_->bad[ray] || !isFinite(mean);
-            pixels_.badPixels += bad;
-            pixels_.color[tile_order::entryOf(ray)] =
-                bad ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : mean;
+            storePixel(ray, rays_->sum[ray] / float(samples_), rays_->bad[ray]);
         });
-    }
 }
 
 } // namespace smart

@@ -43,6 +43,7 @@ ShaderObject::ShaderObject(ShaderClassPtr shaderClass, const ParameterValues& va
             writeValue(p, bytes, block_);
         }
     }
+    if (d.kind == RT_SURFACE_SHADER && d.reads) reads_ = d.reads(block_);
 }
 
 ShaderObject::~ShaderObject() {

@@ -28,12 +28,15 @@ public:
     const ShaderClass& shaderClass() const { return *class_; }
     const RTshaderclass& functions() const { return class_->descriptor(); }
     const void* block() const { return block_; }
+    /// What a surface reads of a point: RTS_READS_...
+    uint32_t reads() const { return reads_; }
 
 private:
     ShaderClassPtr class_;
     std::vector<std::string> strings_;
     std::vector<std::byte> storage_;
     std::byte* block_ = nullptr;
+    uint32_t reads_ = RTS_READS_EVERYTHING;
 };
 
 /// Shaders by index as one frame sees them. An index without a shader holds nullptr.

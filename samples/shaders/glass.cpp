@@ -35,6 +35,9 @@ struct Glass {
         r.registerParam<Color>("absorption", PER_SHADER, offsetof(Glass, absorption));
     }
 
+    static constexpr RTuint reads() {
+        return READS_REFLECTION | READS_REFRACTION | READS_TRACE;
+    }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {

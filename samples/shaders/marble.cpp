@@ -77,6 +77,9 @@ struct Marble {
         return forEachLane([this](float a, float b, float c) { return vein(a, b, c); }, x, y, z);
     }
 
+    static constexpr RTuint reads() {
+        return READS_FACING_NORMAL | READS_LIGHTS | READS_TRACE;
+    }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {

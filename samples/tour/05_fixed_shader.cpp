@@ -18,6 +18,9 @@ namespace {
 /// Land coloured by its height, with contour lines, under a sun that casts shadows.
 struct Contours {
     static constexpr bool shadesPackets = true;
+    static constexpr RTuint reads() {
+        return openrt::READS_POSITION | openrt::READS_FACING_NORMAL | openrt::READS_TRACE;
+    }
     static constexpr float kInterval = 0.12f, kLine = 0.05f; ///< of heights; of an interval
 
     openrt::Color low{0.10f, 0.35f, 0.12f}, high{0.75f, 0.65f, 0.45f}, ink{0.15f, 0.1f, 0.05f};

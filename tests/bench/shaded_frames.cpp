@@ -101,7 +101,7 @@ public:
         const CameraRays camera(frame);
         std::size_t found = 0;
         for (uint32_t block = 0; block < tile_order::kPackets; block += kTilePackets) {
-            RayGroup groups[kTilePackets];
+            RayBlock rays;
             uint32_t lanes[kTilePackets];
             for (uint32_t p = 0; p < kTilePackets; ++p) {
                 const tile_order::Corner corner = tile_order::cornerOf(block + p);
@@ -114,11 +114,11 @@ public:
                     x[lane] = tile.x + i + 0.5;
                     y[lane] = tile.y + j + 0.5;
                 }
-                lanes[p] = services.makeCameraRays(camera, x, y, inside, groups[p]);
+                lanes[p] = services.makeCameraRays(camera, x, y, inside, rays.groups[p]);
             }
-            services.findTileHits(groups, lanes);
+            services.findTileHits(rays, lanes);
             for (uint32_t p = 0; p < kTilePackets; ++p)
-                forEach(lanes[p], [&](int lane) { found += groups[p].hasHit(lane); });
+                forEach(lanes[p], [&](int lane) { found += rays.groups[p].hasHit(lane); });
         }
         hits += found;
     }

@@ -21,6 +21,7 @@ struct AmbientOcclusion {
         r.registerParam<float>("distance", PER_SHADER, offsetof(AmbientOcclusion, distance));
         r.registerParam<Color>("color", PER_SHADER, offsetof(AmbientOcclusion, color));
     }
+    static constexpr RTuint reads() { return READS_FACING_NORMAL | READS_TRACE; }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {

@@ -28,6 +28,7 @@ struct Glass {
         r.registerParam<Color>("absorption", PER_SHADER, offsetof(Glass, absorption));
         r.registerParam<Color>("color", PER_SHADER, offsetof(Glass, color));
     }
+    static constexpr RTuint reads() { return READS_FACING_NORMAL | READS_TRACE; }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {

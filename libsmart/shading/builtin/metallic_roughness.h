@@ -60,6 +60,10 @@ struct MetallicRoughness {
         r.registerParam<bool>("doubleSided", PER_SHADER, offsetof(Self, doubleSided));
     }
 
+    RTuint reads() const {
+        return kReadsLit | READS_COLOR | readsTexture(baseColorTexture) |
+               readsTexture(metallicRoughnessTexture) | readsTexture(emissiveTexture);
+    }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {

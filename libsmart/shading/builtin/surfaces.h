@@ -45,8 +45,18 @@ auto visibility(Context& c, const typename Context::LightSample& sample,
 inline Color colorOf(const Vec4& rgba) { return {rgba.x, rgba.y, rgba.z}; }
 inline PacketColor colorOf(const PacketVec4& rgba) { return {rgba.x, rgba.y, rgba.z}; }
 
+/// What the members of a surface read (see shader.hpp) that shade by the side that is seen, ask
+/// lights and trace rays.
+inline constexpr RTuint kReadsLit = READS_FACING_NORMAL | READS_LIGHTS | READS_TRACE;
+
+/// What it takes to look up a texture.
+constexpr RTuint readsTexture(const TextureId& texture) {
+    return texture ? READS_TEXTURE | READS_TEXCOORD : 0;
+}
+
 /// The default surface: the current colour, unlit.
 struct FixedFunction {
+    static constexpr RTuint reads() { return READS_COLOR; }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
@@ -62,6 +72,7 @@ struct ConstantShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<Color>("value", PER_SHADER, offsetof(ConstantShader, value));
     }
+    static constexpr RTuint reads() { return 0; }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
@@ -76,6 +87,7 @@ struct DiffuseShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<Color>("color", PER_SHADER, offsetof(DiffuseShader, color));
     }
+    static constexpr RTuint reads() { return kReadsLit; }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
@@ -98,6 +110,7 @@ struct TexturedDiffuseShader {
         r.registerParam<TextureId>("texture", PER_SHADER, offsetof(TexturedDiffuseShader, texture));
         r.registerParam<Color>("radiance", PER_SHADER, offsetof(TexturedDiffuseShader, radiance));
     }
+    RTuint reads() const { return kReadsLit | readsTexture(texture); }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
@@ -120,6 +133,7 @@ struct TextureShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<TextureId>("texture", PER_SHADER, offsetof(TextureShader, texture));
     }
+    RTuint reads() const { return readsTexture(texture); }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
@@ -136,6 +150,7 @@ struct MirrorShader {
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<Color>("attenuation", PER_SHADER, offsetof(MirrorShader, attenuation));
     }
+    static constexpr RTuint reads() { return READS_REFLECTION | READS_TRACE; }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
@@ -166,11 +181,14 @@ struct Phong {
         r.registerParam<Color>("transmission", PER_SHADER, offsetof(Phong, transmission));
         r.registerParam<TextureId>("texture", PER_SHADER, offsetof(Phong, texture));
     }
+    RTuint reads() const { return kReadsLit | readsTexture(texture); }
     static constexpr bool shadesPackets = true;
     template <class Context>
     void shade(Context& c) const {
         using PointColor = typename Context::Color;
-        const auto normal = c.facingNormal(), mirrored = c.reflectedDirection();
+        const auto normal = c.facingNormal();
+        const bool mirrors = !specular.black() || !reflection.black();
+        const auto mirrored = mirrors ? c.reflectedDirection() : typename Context::Vec3();
         const PointColor texel = texture ? PointColor(colorOf(c.texture(texture, c.texCoord())))
                                          : PointColor(Color(1.0f));
         const PointColor surface = texel * diffuse;
