@@ -1,36 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Which texel, level of a texture and share of a pixel a fragment gets: coordinates far beyond an
- * image, borders, levels of detail on triangles and lines, smooth lines, and pixels that several
- * primitives claim. */
+/* Which texel and share of a pixel a fragment gets: coordinates far beyond an image, borders,
+ * smooth lines and points, and pixels that several primitives claim. */
 #define GL_GLEXT_PROTOTYPES
-#include "tests/conformance/questions.h"
+#include "tests/conformance/window_pixels.h"
 
 #include <math.h>
-
-enum { kSide = 32, kLevels = 6, kReach = 4 };
-
-static GLubyte window[kWindow][kWindow][3];
-
-static void readWindow(void) {
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, kWindow, kWindow, GL_RGB, GL_UNSIGNED_BYTE, window);
-}
-
-static void clearBoth(void) {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
-static void tellLevel(int level) {
-    if (kTellsAlternatives)
-        printf("%d|%d|%d ", level, level + 1, level - 1);
-    else
-        printf("%d ", level);
-}
-
-static void tellPixel(int x, int y) {
-    for (int k = 0; k < 3; ++k) tellLevel(window[y][x][k]);
-    printf("\n");
-}
 
 /* A rectangle with a texture's coordinates from (s0, t0) to (s1, t1). */
 static void rectangle(GLfloat s0, GLfloat t0, GLfloat s1, GLfloat t1) {
@@ -155,178 +129,6 @@ static void wraps(void) {
             for (int x = 0; x < kWindow; ++x) tellPixel(x, y);
     }
     glDisable(GL_TEXTURE_2D);
-}
-
-/* Each level has another colour: of a channel, so that two units can be told from each other. */
-static void useLevels(int unit) {
-    static GLubyte image[kSide * kSide][4];
-    glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    glBindTexture(GL_TEXTURE_2D, (GLuint)(5 + unit));
-    for (int level = 0; level < kLevels; ++level) {
-        for (int i = 0; i < kSide * kSide; ++i) image[i][unit] = (GLubyte)(40 * level + 30);
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGB, kSide >> level, kSide >> level, 0, GL_RGBA,
-                     GL_UNSIGNED_BYTE, image);
-    }
-    for (int i = 0; i < kSide * kSide; ++i) image[i][unit] = 0;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, unit == 0 ? GL_REPLACE : GL_ADD);
-    glEnable(GL_TEXTURE_2D);
-}
-
-static void dropLevels(void) {
-    for (int unit = 2; unit-- > 0;) {
-        glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-        glDisable(GL_TEXTURE_2D);
-        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-        glBindTexture(GL_TEXTURE_2D, 0);
-    }
-}
-
-/* How many texels s and t go on from pixel to pixel: with x, with y. */
-typedef struct {
-    GLfloat sx, tx, sy, ty;
-} Texels;
-
-static void vertexAt(const Texels* first, const Texels* second, GLfloat scale, GLfloat x,
-                     GLfloat y) {
-    glMultiTexCoord2f(GL_TEXTURE0, scale * (first->sx * x + first->sy * y) / kSide,
-                      scale * (first->tx * x + first->ty * y) / kSide);
-    glMultiTexCoord2f(GL_TEXTURE1, (second->sx * x + second->sy * y) / scale / kSide,
-                      (second->tx * x + second->ty * y) / scale / kSide);
-    glVertex2f(x, y);
-}
-
-/* In the middle of a level, as an implementation may take a simpler measure than the length. */
-static void levels(void) {
-    static const struct {
-        const char* name;
-        Texels texels;
-    } ways[] = {
-        {"along", {1.0f, 0.0f, 0.0f, 1.0f}},           {"turned", {0.9f, 0.5f, -0.5f, 0.9f}},
-        {"far_turned", {-0.4f, 0.95f, -0.95f, -0.4f}}, {"skewed", {1.0f, 0.2f, 0.3f, 0.3f}},
-        {"only_sx", {1.0f, 0.1f, 0.1f, 0.2f}},         {"only_tx", {0.1f, 1.0f, 0.2f, 0.1f}},
-        {"only_sy", {0.1f, 0.2f, 1.0f, 0.1f}},         {"only_ty", {0.2f, 0.1f, 0.1f, 1.0f}},
-        {"flipped", {0.3f, -1.0f, 0.9f, 0.3f}}};
-    enum { kWays = sizeof ways / sizeof ways[0] };
-    useLevels(0);
-    useLevels(1);
-    for (int way = 0; way < kWays; ++way)
-        for (int level = -1; level < kLevels; ++level) {
-            const Texels* const first = &ways[way].texels;
-            const Texels* const second = &ways[(way + 5) % kWays].texels;
-            const GLfloat scale = ldexpf(1.0f, level);
-            Texels more = *second; /* of which the other unit sees the smallest first */
-            char name[64];
-            more.sx *= 16.0f, more.tx *= 16.0f, more.sy *= 16.0f, more.ty *= 16.0f;
-            snprintf(name, sizeof name, "levels/%s/%d", ways[way].name, level);
-            beginCase(name);
-            clearBoth();
-            glBegin(GL_TRIANGLES);
-            vertexAt(first, &more, scale, 1.25f, 2.25f);
-            vertexAt(first, &more, scale, 30.75f, 4.25f);
-            vertexAt(first, &more, scale, 6.25f, 29.75f);
-            glEnd();
-            readWindow();
-            tellPixel(7, 7);
-            tellPixel(12, 14);
-            tellPixel(20, 8);
-        }
-    dropLevels();
-}
-
-/* A level that OpenGL's answers have at the pixel, or close by. */
-static void tellLevelsNear(int x, int y) {
-    for (int unit = 0; unit < 2; ++unit) {
-        unsigned seen = 0, told = 0;
-        for (int j = y - kReach; j <= y + kReach; ++j)
-            for (int i = x - kReach; i <= x + kReach; ++i)
-                if (i >= 0 && i < kWindow && j >= 0 && j < kWindow)
-                    seen |= 1u << (window[j][i][unit] + 10) / 40;
-        if (!kTellsAlternatives) seen = 1u << (window[y][x][unit] + 10) / 40;
-        for (unsigned level = 0; level < 8; ++level)
-            if (seen >> level & 1u) printf("%s%u", told++ != 0 ? "|" : "", level);
-        putchar(' ');
-    }
-}
-
-/* A floor, in a viewport that begins elsewhere. */
-static void perspective(void) {
-    static const GLint viewports[][4] = {
-        {0, 0, 32, 32}, {3, 9, 28, 22}, {-5, -40, 40, 90}, {7, 2, 20, 29}, {-60, -10, 100, 42}};
-    static const GLfloat scales[3] = {0.5f, 1.2f, 2.4f};
-    useLevels(0);
-    useLevels(1);
-    glMatrixMode(GL_PROJECTION);
-    glPushMatrix();
-    glLoadIdentity();
-    glFrustum(-1.0, 1.0, -1.0, 1.0, 1.0, 50.0);
-    glMatrixMode(GL_MODELVIEW);
-    for (size_t i = 0; i < sizeof viewports / sizeof viewports[0]; ++i)
-        for (int k = 0; k < 5; ++k) { /* the third one, turned, changes too slowly */
-            const GLfloat scale = scales[k % 3];
-            char name[64];
-            snprintf(name, sizeof name, "perspective/%d/%d", (int)i, k);
-            beginCase(name);
-            clearBoth();
-            glViewport(viewports[i][0], viewports[i][1], viewports[i][2], viewports[i][3]);
-            glPushMatrix();
-            if (k >= 3) glRotatef(90.0f, 0.0f, 0.0f, 1.0f);
-            glBegin(GL_TRIANGLES);
-            glMultiTexCoord2f(GL_TEXTURE0, 0.0f, 0.0f);
-            glMultiTexCoord2f(GL_TEXTURE1, 0.0f, 0.0f);
-            glVertex3f(-1.5f, -1.2f, -1.2f);
-            glMultiTexCoord2f(GL_TEXTURE0, scale, 0.3f * scale);
-            glMultiTexCoord2f(GL_TEXTURE1, 0.0f, 4.0f * scale);
-            glVertex3f(1.5f, -1.2f, -1.2f);
-            glMultiTexCoord2f(GL_TEXTURE0, 0.0f, 4.0f * scale);
-            glMultiTexCoord2f(GL_TEXTURE1, 2.0f * scale, 0.0f);
-            glVertex3f(0.0f, 8.0f, -6.5f);
-            glEnd();
-            glPopMatrix();
-            readWindow();
-            for (int y = 1; y < kWindow; y += 2) {
-                for (int x = 1; x < kWindow; x += 2) tellLevelsNear(x, y);
-                printf("\n");
-            }
-        }
-    glViewport(0, 0, kWindow, kWindow);
-    glMatrixMode(GL_PROJECTION);
-    glPopMatrix();
-    glMatrixMode(GL_MODELVIEW);
-    dropLevels();
-}
-
-/* From within a pixel's diamond to within another one's, so that the pixels are not open. */
-static void lines(void) {
-    static const GLfloat lengths[] = {0.75f, 1.0f, 2.0f, 5.0f};
-    useLevels(0);
-    useLevels(1);
-    for (int steep = 0; steep < 2; ++steep)
-        for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; ++i)
-            for (int level = 0; level < kLevels; ++level) {
-                const GLfloat there = 10.375f + lengths[i];
-                const GLfloat s = lengths[i] * ldexpf(1.0f, level) / kSide;
-                const GLfloat t = lengths[i] * ldexpf(1.0f, kLevels - 1 - level) / kSide;
-                char name[64];
-                snprintf(name, sizeof name, "lines/%s/%d/%d", steep ? "up" : "across", (int)i,
-                         level);
-                beginCase(name);
-                clearBoth();
-                glBegin(GL_LINES);
-                glMultiTexCoord2f(GL_TEXTURE0, 0.0f, 0.0f);
-                glMultiTexCoord2f(GL_TEXTURE1, 0.0f, 0.0f);
-                glVertex2f(steep ? 10.5f : 10.375f, steep ? 10.375f : 10.5f);
-                glMultiTexCoord2f(GL_TEXTURE0, s, s / 8);
-                glMultiTexCoord2f(GL_TEXTURE1, t / 8, t);
-                glVertex2f(steep ? 10.5f : there, steep ? there : 10.5f);
-                glEnd();
-                readWindow();
-                tellPixel(10, 10);
-                for (int k = 1; k < (int)lengths[i]; ++k)
-                    tellPixel(steep ? 10 : 10 + k, steep ? 10 + k : 10);
-            }
-    dropLevels();
 }
 
 typedef struct {
@@ -564,9 +366,6 @@ static void askQuestions(void) {
     mirrors();
     borders();
     wraps();
-    levels();
-    perspective();
-    lines();
     smoothPoints();
     smoothLines();
     seenThrough();

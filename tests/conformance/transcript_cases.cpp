@@ -8,10 +8,9 @@
 namespace conformance {
 namespace {
 
-constexpr const char* kPrograms[] = {"attributes", "errors",       "feedback",   "fragments",
-                                     "images",     "multitexture", "primitives", "queries",
-                                     "sampling",   "state",        "texture_units",
-                                     "wrong_calls"};
+constexpr const char* kPrograms[] = {
+    "attributes", "errors",  "feedback", "fragments", "images",        "levels",     "multitexture",
+    "primitives", "queries", "sampling", "state",     "texture_units", "wrong_calls"};
 
 struct Answers {
     Transcript openGl, openRt;
