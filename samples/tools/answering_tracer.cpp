@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "samples/tools/answering_tracer.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <initializer_list>
@@ -49,16 +50,50 @@ void unitVector(Hash& hash, float v[3]) {
     for (int k = 0; k < 3; ++k) v[k] /= std::sqrt(squared);
 }
 
-bool answerTrace(const float o[3], const float d[3], float weight, float radiance[3]) {
-    Hash hash(Trace);
-    hash.add({o[0], o[1], o[2], d[0], d[1], d[2], weight});
+/// One lane of three arrays.
+struct Lane3 {
+    Lane3(const RTSvectors& v, int i) : values{v.x.lane[i], v.y.lane[i], v.z.lane[i]} {}
+    operator const float*() const { return values; }
+    float values[3];
+};
+
+/// What the library itself reads of the point where a question is asked.
+struct Asker {
+    explicit Asker(const RTSstate& s)
+        : position{s.position[0], s.position[1], s.position[2]},
+          numbers{s.rayDirection[0],    s.rayDirection[1],    s.rayDirection[2],
+                  s.geometricNormal[0], s.geometricNormal[1], s.geometricNormal[2]},
+          footprint(s.footprint) {}
+    Asker(const RTSpacket& p, int i)
+        : position{p.position.x.lane[i], p.position.y.lane[i], p.position.z.lane[i]},
+          numbers{p.rayDirection.x.lane[i],    p.rayDirection.y.lane[i],
+                  p.rayDirection.z.lane[i],    p.geometricNormal.x.lane[i],
+                  p.geometricNormal.y.lane[i], p.geometricNormal.z.lane[i]},
+          footprint(p.footprint.lane[i]) {}
+    bool isAt(const float o[3]) const { return std::equal(o, o + 3, position); }
+
+    float position[3], numbers[6], footprint;
+};
+
+/// Rays that start at the asker leave its surface, on the side that they point to.
+Hash rayHash(Kind kind, const Asker& asker, const float o[3], const float d[3]) {
+    Hash hash(kind);
+    hash.add({o[0], o[1], o[2], d[0], d[1], d[2]});
+    if (asker.isAt(o))
+        for (const float number : asker.numbers) hash.add(number);
+    return hash;
+}
+
+bool answerTrace(const Asker& asker, const float o[3], const float d[3], float weight,
+                 float radiance[3]) {
+    Hash hash = rayHash(Trace, asker, o, d);
+    hash.add(weight);
     if (hash.chance(0.125f)) return false; // the recursion limit
     for (int k = 0; k < 3; ++k) radiance[k] = hash.number();
     return true;
 }
-bool answerHit(const float o[3], const float d[3], RTShitinfo& hit) {
-    Hash hash(TraceHit);
-    hash.add({o[0], o[1], o[2], d[0], d[1], d[2]});
+bool answerHit(const Asker& asker, const float o[3], const float d[3], RTShitinfo& hit) {
+    Hash hash = rayHash(TraceHit, asker, o, d);
     hit = {};
     hit.distance = INFINITY;
     if (hash.chance(0.25f)) return true;
@@ -67,9 +102,10 @@ bool answerHit(const float o[3], const float d[3], RTShitinfo& hit) {
     unitVector(hash, hit.normal);
     return true;
 }
-void answerShadow(const float o[3], const float d[3], float distance, float attenuation[3]) {
-    Hash hash(Shadow);
-    hash.add({o[0], o[1], o[2], d[0], d[1], d[2], distance});
+void answerShadow(const Asker& asker, const float o[3], const float d[3], float distance,
+                  float attenuation[3]) {
+    Hash hash = rayHash(Shadow, asker, o, d);
+    hash.add(distance);
     const bool open = hash.chance(0.25f), closed = hash.chance(0.25f);
     for (int k = 0; k < 3; ++k) attenuation[k] = open ? 1 : closed ? 0 : hash.number();
 }
@@ -82,9 +118,10 @@ bool answerLight(const float p[3], uint32_t light, RTSlightsample& sample) {
     for (int k = 0; k < 3; ++k) sample.radiance[k] = 3 * hash.number();
     return true;
 }
-void answerTexture(uint32_t texture, float s, float t, float rgba[4]) {
+void answerTexture(const Asker& asker, uint32_t texture, float s, float t, float rgba[4]) {
     Hash hash(Texture);
-    hash.add(texture).add({s, t});
+    hash.add(texture).add({s, t, asker.footprint});
+    for (const float number : asker.numbers) hash.add(number);
     for (int k = 0; k < 4; ++k) rgba[k] = texture ? hash.number() : 1;
 }
 void answerEnvironment(const float d[3], float radiance[3]) {
@@ -98,31 +135,31 @@ float answerRandom(void* tracer, int lane) {
 }
 
 int trace(RTSstate* s, const float o[3], const float d[3], float weight, float radiance[3]) {
-    return (s->flags & RTS_STOPPED) == 0 && answerTrace(o, d, weight, radiance);
+    return (s->flags & RTS_STOPPED) == 0 && answerTrace(Asker(*s), o, d, weight, radiance);
 }
 int traceHit(RTSstate* s, const float o[3], const float d[3], RTShitinfo* hit) {
-    return (s->flags & RTS_STOPPED) == 0 && answerHit(o, d, *hit);
+    return (s->flags & RTS_STOPPED) == 0 && answerHit(Asker(*s), o, d, *hit);
 }
-int shadow(RTSstate*, const float o[3], const float d[3], float distance, float attenuation[3]) {
-    answerShadow(o, d, distance, attenuation);
+int shadow(RTSstate* s, const float o[3], const float d[3], float distance, float attenuation[3]) {
+    answerShadow(Asker(*s), o, d, distance, attenuation);
     return 1;
 }
-RTuint lightCount(const RTSstate*) { return AnsweringTracer::kLights; }
+RTuint lightCount(const RTSstate*) {
+    return AnsweringTracer::kLights;
+}
 int illuminate(RTSstate* s, RTuint light, RTSlightsample* sample) {
     return answerLight(s->position, light, *sample);
 }
-void texture(RTSstate*, RTuint id, float s, float t, float rgba[4]) {
-    answerTexture(id, s, t, rgba);
+void texture(RTSstate* state, RTuint id, float s, float t, float rgba[4]) {
+    answerTexture(Asker(*state), id, s, t, rgba);
 }
-void environment(RTSstate*, const float d[3], float radiance[3]) { answerEnvironment(d, radiance); }
-float random(RTSstate* s) { return answerRandom(s->tracer, 0); }
+void environment(RTSstate*, const float d[3], float radiance[3]) {
+    answerEnvironment(d, radiance);
+}
+float random(RTSstate* s) {
+    return answerRandom(s->tracer, 0);
+}
 
-/// One lane of three arrays.
-struct Lane3 {
-    Lane3(const RTSvectors& v, int i) : values{v.x.lane[i], v.y.lane[i], v.z.lane[i]} {}
-    operator const float*() const { return values; }
-    float values[3];
-};
 void store(const float v[3], int i, RTSfloats& x, RTSfloats& y, RTSfloats& z) {
     x.lane[i] = v[0];
     y.lane[i] = v[1];
@@ -142,7 +179,8 @@ RTuint tracePacket(RTSpacket* p, RTuint lanes, const RTSvectors* o, const RTSvec
     if (p->flags & RTS_STOPPED) return 0;
     return forLanes(p, lanes, [&](int i) {
         float rgb[3] = {0, 0, 0};
-        const bool traced = answerTrace(Lane3(*o, i), Lane3(*d, i), weight->lane[i], rgb);
+        const bool traced =
+            answerTrace(Asker(*p, i), Lane3(*o, i), Lane3(*d, i), weight->lane[i], rgb);
         store(rgb, i, radiance->r, radiance->g, radiance->b);
         return traced;
     });
@@ -152,7 +190,7 @@ RTuint traceHitPacket(RTSpacket* p, RTuint lanes, const RTSvectors* o, const RTS
     if (p->flags & RTS_STOPPED) return 0;
     return forLanes(p, lanes, [&](int i) {
         RTShitinfo hit;
-        const bool traced = answerHit(Lane3(*o, i), Lane3(*d, i), hit);
+        const bool traced = answerHit(Asker(*p, i), Lane3(*o, i), Lane3(*d, i), hit);
         hits->distance.lane[i] = hit.distance;
         store(hit.position, i, hits->position.x, hits->position.y, hits->position.z);
         store(hit.normal, i, hits->normal.x, hits->normal.y, hits->normal.z);
@@ -166,12 +204,14 @@ RTuint shadowPacket(RTSpacket* p, RTuint lanes, const RTSvectors* o, const RTSve
                     const RTSfloats* distance, RTScolors* attenuation) {
     return forLanes(p, lanes, [&](int i) {
         float rgb[3];
-        answerShadow(Lane3(*o, i), Lane3(*d, i), distance->lane[i], rgb);
+        answerShadow(Asker(*p, i), Lane3(*o, i), Lane3(*d, i), distance->lane[i], rgb);
         store(rgb, i, attenuation->r, attenuation->g, attenuation->b);
         return true;
     });
 }
-RTuint lightCountPacket(const RTSpacket*) { return AnsweringTracer::kLights; }
+RTuint lightCountPacket(const RTSpacket*) {
+    return AnsweringTracer::kLights;
+}
 RTuint illuminatePacket(RTSpacket* p, RTuint lanes, RTuint light, RTSlightpacket* samples) {
     return forLanes(p, lanes, [&](int i) {
         RTSlightsample sample = {};
@@ -187,7 +227,7 @@ void texturePacket(RTSpacket* p, RTuint lanes, RTuint id, const RTSfloats* s, co
                    RTSfloats rgba[4]) {
     forLanes(p, lanes, [&](int i) {
         float texel[4];
-        answerTexture(id, s->lane[i], t->lane[i], texel);
+        answerTexture(Asker(*p, i), id, s->lane[i], t->lane[i], texel);
         for (int k = 0; k < 4; ++k) rgba[k].lane[i] = texel[k];
         return true;
     });
@@ -217,10 +257,15 @@ const RTSfunctions& answeringFunctions() {
 }
 
 const RTSpacketfunctions& answeringPacketFunctions() {
-    static const RTSpacketfunctions functions = {
-        sizeof(RTSpacketfunctions), tracePacket,      traceHitPacket, shadowPacket,
-        lightCountPacket,           illuminatePacket, texturePacket,  environmentPacket,
-        randomPacket};
+    static const RTSpacketfunctions functions = {sizeof(RTSpacketfunctions),
+                                                 tracePacket,
+                                                 traceHitPacket,
+                                                 shadowPacket,
+                                                 lightCountPacket,
+                                                 illuminatePacket,
+                                                 texturePacket,
+                                                 environmentPacket,
+                                                 randomPacket};
     return functions;
 }
 

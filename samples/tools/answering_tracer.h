@@ -8,7 +8,8 @@
 namespace samples {
 
 /// Stands in for the library while shaders are compared: the same question from a point and from
-/// a lane gets the same answer, bit for bit, and other questions get others.
+/// a lane gets the same answer, bit for bit, and other questions get others. So do points of which
+/// the library would read other values for its answer: RTS_READS_TRACE, RTS_READS_TEXTURE.
 struct AnsweringTracer {
     static constexpr int kLights = 3;
 

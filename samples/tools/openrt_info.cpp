@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "samples/tools/packet_check.h"
+#include "samples/tools/reads_check.h"
 
 namespace {
 
@@ -31,31 +32,49 @@ std::vector<std::string> split(const char* text, char separator) {
     return parts;
 }
 
-const char* text(RTenum name) { return reinterpret_cast<const char*>(rtGetString(name)); }
+const char* text(RTenum name) {
+    return reinterpret_cast<const char*>(rtGetString(name));
+}
 
 const char* kindName(RTenum kind) {
     switch (kind) {
-    case RT_SURFACE_SHADER: return "surface";
-    case RT_ENV_SHADER: return "environment";
-    case RT_LIGHT_SHADER: return "light";
-    case RT_CAMERA_SHADER: return "camera";
-    case RT_RENDERING_OBJECT_SHADER: return "rendering object";
-    default: return "unknown kind";
+        case RT_SURFACE_SHADER:
+            return "surface";
+        case RT_ENV_SHADER:
+            return "environment";
+        case RT_LIGHT_SHADER:
+            return "light";
+        case RT_CAMERA_SHADER:
+            return "camera";
+        case RT_RENDERING_OBJECT_SHADER:
+            return "rendering object";
+        default:
+            return "unknown kind";
     }
 }
 
 std::string typeName(const RTSparameter& p) {
     switch (p.type) {
-    case RTS_INT1: return p.size == 1 ? "bool" : "int";
-    case RTS_INT2: return "2 ints";
-    case RTS_INT3: return "3 ints";
-    case RTS_FLOAT1: return "float";
-    case RTS_FLOAT2: return "2 floats";
-    case RTS_FLOAT3: return "3 floats";
-    case RTS_FLOAT4: return "4 floats";
-    case RTS_FLOAT16: return "16 floats";
-    case RTS_RAW: return std::to_string(p.size) + " bytes";
-    case RTS_STRING: return "string";
+        case RTS_INT1:
+            return p.size == 1 ? "bool" : "int";
+        case RTS_INT2:
+            return "2 ints";
+        case RTS_INT3:
+            return "3 ints";
+        case RTS_FLOAT1:
+            return "float";
+        case RTS_FLOAT2:
+            return "2 floats";
+        case RTS_FLOAT3:
+            return "3 floats";
+        case RTS_FLOAT4:
+            return "4 floats";
+        case RTS_FLOAT16:
+            return "16 floats";
+        case RTS_RAW:
+            return std::to_string(p.size) + " bytes";
+        case RTS_STRING:
+            return "string";
     }
     return "?";
 }
@@ -104,7 +123,31 @@ bool printClasses(const char* file) {
     return good;
 }
 
-bool checkPackets(const std::string& file) {
+/// What a check says of a class.
+struct Finding {
+    bool good;
+    std::string text;
+};
+
+Finding findingOfPackets(const RTshaderclass& c) {
+    if (!c.shadePacket || !c.shade) return {true, "shades no packets"};
+    const samples::PacketVerdict verdict = samples::checkPackets(c);
+    const std::string points = std::to_string(verdict.points);
+    if (verdict.different == 0) return {true, "both forms agree at " + points + " points"};
+    return {false, std::to_string(verdict.different) + " of " + points +
+                       " points differ: " + verdict.example};
+}
+
+Finding findingOfReads(const RTshaderclass& c) {
+    if (!c.reads || !c.shade) return {true, "does not say what it reads"};
+    std::string names;
+    for (const std::string& name : samples::undeclaredReads(c))
+        names += (names.empty() ? "" : ", ") + name;
+    if (names.empty()) return {true, "reads nothing but what it says"};
+    return {false, "reads what it does not say: " + names};
+}
+
+bool checkClasses(const std::string& file, Finding (*find)(const RTshaderclass&)) {
     const char* const names = rtGetShaderClassNames(file.c_str());
     if (!names) {
         std::cerr << "openrt-info: " << rtGetErrorText() << '\n';
@@ -114,22 +157,9 @@ bool checkPackets(const std::string& file) {
     bool good = true;
     for (const std::string& name : split(names, '\n')) {
         const RTshaderclass* const c = describe(name, file.c_str());
-        std::cout << file << ", " << name << ": ";
-        if (!c) {
-            std::cout << "can not be made\n";
-            good = false;
-        } else if (!c->shadePacket || !c->shade) {
-            std::cout << "shades no packets\n";
-        } else {
-            const samples::PacketVerdict verdict = samples::checkPackets(*c);
-            if (verdict.different == 0) {
-                std::cout << "both forms agree at " << verdict.points << " points\n";
-            } else {
-                std::cout << verdict.different << " of " << verdict.points
-                          << " points differ: " << verdict.example << '\n';
-                good = false;
-            }
-        }
+        const Finding finding = c ? find(*c) : Finding{false, "can not be made"};
+        std::cout << file << ", " << name << ": " << finding.text << '\n';
+        good = good && finding.good;
     }
     return good;
 }
@@ -161,8 +191,8 @@ void printLinkedLibraries() {
 void printLibrary() {
     const std::string version = text(RT_VERSION); // OpenGL's comes first
     std::cout << version.substr(version.find("OpenRT")) << ", this program "
-              << OPENRT_VERSION_STRING << ", shader interface " << RTS_INTERFACE_VERSION << '.' << RTS_INTERFACE_REVISION
-              << '\n'
+              << OPENRT_VERSION_STRING << ", shader interface " << RTS_INTERFACE_VERSION << '.'
+              << RTS_INTERFACE_REVISION << '\n'
               << "instruction set: " << text(RT_ISA) << " (available: " << text(RT_ISA_NAMES)
               << ")\n"
               << "cores: " << std::thread::hardware_concurrency();
@@ -198,15 +228,20 @@ void printInstalled() {
 } // namespace
 
 int main(int argc, char* argv[]) {
-    CLI::App app("Tells what the library and this machine have, and what is in shader libraries: "
-                 "those given, or all in the shader folders. The exit status is 1 if a library "
-                 "that is given can not be used, or fails the check of its packets.",
-                 "openrt-info");
-    std::vector<std::string> files, checked;
+    CLI::App app(
+        "Tells what the library and this machine have, and what is in shader libraries: "
+        "those given, or all in the shader folders. The exit status is 1 if a library "
+        "that is given can not be used, or fails a check.",
+        "openrt-info");
+    std::vector<std::string> files, packets, reads;
     app.add_option("FILE", files, "shader libraries, by the names that rtGenNewShaderClass takes");
-    app.add_option("--check-packets", checked,
+    app.add_option("--check-packets", packets,
                    "compares, bit for bit, what each class of these libraries gives for single "
                    "points and for packets")
+        ->type_name("FILE");
+    app.add_option("--check-reads", reads,
+                   "tests that each class of these libraries reads of a point what it says that "
+                   "it reads, and nothing else")
         ->type_name("FILE");
     app.set_version_flag("--version", "openrt-info " OPENRT_VERSION_STRING);
     try {
@@ -224,8 +259,9 @@ int main(int argc, char* argv[]) {
             std::cout << file << ":\n";
             good = printClasses(file.c_str()) && good;
         }
-        for (const std::string& file : checked) good = checkPackets(file) && good;
-        if (files.empty() && checked.empty()) {
+        for (const std::string& file : packets) good = checkClasses(file, findingOfPackets) && good;
+        for (const std::string& file : reads) good = checkClasses(file, findingOfReads) && good;
+        if (files.empty() && packets.empty() && reads.empty()) {
             printLibrary();
             printInstalled();
         }

@@ -64,6 +64,15 @@ class OpenrtInfo(unittest.TestCase):
         self.assertIn("Matt: shades no packets", out)
         self.assertEqual(run("--check-packets", f"{PLUGINS}/fault_Size.so")[0], 1)
 
+    def test_reads(self):
+        code, out, _ = run("--check-reads", f"{PLUGINS}/reads.so")
+        self.assertEqual(code, 1, out)
+        self.assertIn("reads.so, Truthful: reads nothing but what it says", out)
+        self.assertIn("Forgetful: reads what it does not say: shading normal, texture coord", out)
+        code, out, _ = run("--check-reads", f"{PLUGINS}/kinds.so")
+        self.assertEqual(code, 0, out)
+        self.assertIn("Matt: does not say what it reads", out)
+
     def test_command_line(self):
         code, out, _ = run("--help")
         self.assertEqual(code, 0)
