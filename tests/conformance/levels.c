@@ -161,7 +161,7 @@ static void perspective(void) {
 /* A wall whose level changes along x alone, or a floor along y alone: whatever measure an
  * implementation takes, it is that coordinate's change. */
 static void receding(void) {
-    static const GLfloat ends[][2] = {{-1.0f, -1.0f}, {6.0f, -7.0f}}; /* sideways, z */
+    static const GLfloat ends[][2] = {{-1.0f, -1.0f}, {2.5f, -4.0f}}; /* sideways, z */
     lookIntoDepth();
     for (int i = 0; i < kViewports; ++i)
         for (int k = 0; k < 8; ++k) {
@@ -186,9 +186,9 @@ static void receding(void) {
             }
             glEnd();
             readWindow();
-            for (int y = 1; y < kWindow; y += 3) {
-                for (int x = 1; x < kWindow; x += 3)
-                    tellLevelsNear(x, y, isFloor ? 0 : 1, isFloor ? 1 : 0);
+            for (int y = 2; y < kWindow - 2; y += 3) {
+                for (int x = 2; x < kWindow - 2; x += 3)
+                    tellLevelsNear(x, y, isFloor ? 0 : 2, isFloor ? 2 : 0);
                 printf("\n");
             }
         }

@@ -15,8 +15,8 @@ struct Reading {
                ~leftOut;
     }
     void shade(TraceContext& c) const {
-        const Color4 texel = c.texture(TextureId{1}, c.texCoord());
-        Color sum = c.color() * texel.r;
+        const auto texel = c.texture(TextureId{1}, c.texCoord());
+        Color sum = c.color() * texel.x;
         LightSample light;
         if (c.illuminate(0, light) && c.shadow(c.position(), light.direction, light.distance).r > 0)
             sum += light.radiance * dot(c.facingNormal(), light.direction);
