@@ -32,9 +32,9 @@ struct DynamicSeries {
 /// Frames through the queue's front door, one at a time: medians in seconds.
 struct DynamicFrame {
     uint32_t instances = 1;
-    bool lit = false;   ///< by one light with shadows; else flat colours
+    bool lit = false;    ///< by one light with shadows; else flat colours
     double describe = 0; ///< the application's calls
-    double freeze = 0;   ///< rtQueueFrame: the tree over the instances, mostly
+    double freeze = 0;   ///< rtQueueFrame, mostly the tree over the instances: processor seconds
     double render = 0;   ///< until the frame has ended
     double whole = 0;    ///< all three together
 };
