@@ -347,7 +347,7 @@ TEST(FrameQueue, TheTraceShowsWorkersThatWait) {
     Team team(1, queue, tracer);
     TestFrame first(1, 32, 32), second(2, 32, 32);
     submit(queue, first)->wait();
-    std::this_thread::sleep_for(30ms);
+    std::this_thread::sleep_for(200ms);
     const QueuedFramePtr late = submit(queue, second);
     late->wait();
     EXPECT_GT(late->statistics().idleNanoseconds, 20000000u);
