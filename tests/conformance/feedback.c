@@ -224,10 +224,7 @@ static void askQuestions(void) {
                                            {"polygon", GL_POLYGON, circle, kMaxTriangles}};
     static const int counts[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 31, 32, 33, 47, 48,
                                  kMaxVertices};
-    glMatrixMode(GL_PROJECTION);
-    glLoadIdentity();
-    glOrtho(0.0, kWindow, 0.0, kWindow, -1.0, 1.0);
-    glMatrixMode(GL_MODELVIEW);
+    useWindowCoordinates();
     for (size_t p = 0; p < sizeof primitives / sizeof primitives[0]; ++p)
         for (size_t n = 0; n < sizeof counts / sizeof counts[0]; ++n)
             for (mirrored = 0; mirrored < 2; ++mirrored) {

@@ -428,10 +428,7 @@ static void transformations(void) {
 }
 
 static void askQuestions(void) {
-    glMatrixMode(GL_PROJECTION);
-    glLoadIdentity();
-    glOrtho(0.0, kWindow, 0.0, kWindow, -1.0, 1.0);
-    glMatrixMode(GL_MODELVIEW);
+    useWindowCoordinates();
     makeTextures();
     modes();
     combiners();

@@ -140,10 +140,7 @@ static void askQuestions(void) {
                                            {"quads", GL_QUADS, cells, 1, 0},
                                            {"quad_strip", GL_QUAD_STRIP, zigzag, 1, 0},
                                            {"polygon", GL_POLYGON, circle, 1, 0}};
-    glMatrixMode(GL_PROJECTION);
-    glLoadIdentity();
-    glOrtho(0.0, kWindow, 0.0, kWindow, -1.0, 1.0);
-    glMatrixMode(GL_MODELVIEW);
+    useWindowCoordinates();
     glLoadIdentity();
     glShadeModel(GL_FLAT);
     glEnable(GL_CULL_FACE);

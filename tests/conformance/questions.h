@@ -19,6 +19,13 @@ static void beginCase(const char* name) {
     printf("case %s\n", name);
 }
 
+static inline void useWindowCoordinates(void) {
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glOrtho(0.0, kWindow, 0.0, kWindow, -1.0, 1.0);
+    glMatrixMode(GL_MODELVIEW);
+}
+
 static const char* errorName(void) {
     switch (glGetError()) {
         case GL_NO_ERROR:

@@ -358,10 +358,7 @@ static void loneTriangles(void) {
 }
 
 static void askQuestions(void) {
-    glMatrixMode(GL_PROJECTION);
-    glLoadIdentity();
-    glOrtho(0.0, kWindow, 0.0, kWindow, -1.0, 1.0);
-    glMatrixMode(GL_MODELVIEW);
+    useWindowCoordinates();
     glColor4f(1.0f, 1.0f, 1.0f, 1.0f);
     mirrors();
     borders();

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "openrt/rt.h"
+#include "openrt/rts.h"
 
 namespace plugin_test {
 
@@ -51,6 +54,24 @@ inline std::string pluginFile(const std::string& name) { return TEST_PLUGINS "/"
 
 inline RTuint load(const char* className, const std::string& file) {
     return rtGenNewShaderClass(className, pluginFile(file).c_str());
+}
+
+inline const RTshaderclass& loaded(const char* className, const std::string& file) {
+    const RTuint id = load(className, file);
+    EXPECT_NE(id, RTuint(RT_INVALID)) << rtGetErrorText();
+    return *rtGetShaderClassDescriptor(id);
+}
+
+/// The classes that are in the library itself.
+inline std::vector<const RTshaderclass*> builtinClasses() {
+    std::vector<const RTshaderclass*> classes;
+    std::istringstream names(rtGetShaderClassNames(nullptr));
+    for (std::string name; std::getline(names, name);) {
+        const RTuint id = rtGenNewShaderClass(name.c_str(), nullptr);
+        EXPECT_NE(id, RTuint(RT_INVALID)) << name;
+        classes.push_back(rtGetShaderClassDescriptor(id));
+    }
+    return classes;
 }
 
 using Rgb = std::array<float, 3>;
