@@ -13,6 +13,7 @@
 #include "compat/stream/call_reader.h"
 #include "compat/stream/played_arguments.h"
 #include "compat/stream/played_arrays.h"
+#include "compat/stream/played_frames.h"
 #include "compat/stream/played_memory.h"
 #include "compat/stream/player_threads.h"
 #include "compat/stream/utility_objects.h"
@@ -210,8 +211,24 @@ private:
         if (isCall(call, "rtuNewTess")) utilityObjects_.made(pending.result.as<RTUtesselator*>());
         pending.isMade = true;
         pending.error = error_;
+        follow(call, arguments, targets, pending);
         if (error_ == RT_NO_ERROR) afterwards(call, arguments, targets, pending);
         listen();
+    }
+
+    /// Which frames are in flight now.
+    void follow(const CallSignature& call, const PlayedArguments& arguments,
+                const PictureTargets& targets, const Pending& pending) {
+        const RTcontext now = rtGetCurrentContext();
+        if (call.resultMeaning == Meaning::Frame)
+            frames_.queued(pending.result.as<RTuint>(), targets.keys());
+        else if (isCall(call, "rtStartRendering") && pending.error == RT_NO_ERROR)
+            frames_.started(now, targets.keys());
+        else if (isCall(call, "rtDestroyContext"))
+            frames_.ended(arguments.values[0].as<RTcontext>());
+        else if (isCall(call, "rtEndRendering") || isCall(call, "rtRender") ||
+                 isCall(call, "rtFinish") || call.kind == CallKind::Read)
+            frames_.ended(now);
     }
 
     void makeCall(const CallSignature& call, PlayedArguments& arguments, CallArena& arena,
@@ -314,6 +331,7 @@ private:
             forgetInterleaved();
         } else if (isCall(call, "rtExit")) {
             names_.forgetProcess();
+            frames_ = {};
             heard_.clear();
         } else if (isCall(call, "rtGenTextures") || isCall(call, "rtGenBuffers")) {
             const auto n = v[0].as<RTsizei>();
@@ -391,6 +409,7 @@ private:
         const uint64_t bytes = picture.stride * (picture.height - 1) + row;
         const std::byte* const pixels = buffers_.find(picture.key, bytes);
         if (!pixels) return;
+        frames_.await(picture.key);
         PlayedFrame frame{++frames,
                           picture.width,
                           picture.height,
@@ -413,6 +432,7 @@ private:
     PlayLimits limits_;
     MemoryBudget budget_;
     FrameBuffers buffers_;
+    PlayedFrames frames_;
     CallReader reader_;
     CallRecord record_;
     PlayedNames names_;

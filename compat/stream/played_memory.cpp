@@ -65,6 +65,12 @@ void PictureTargets::checkSize(uint64_t width, uint64_t height, uint64_t most) {
         throw StreamError("a picture has more pixels than the player allows");
 }
 
+std::vector<uint64_t> PictureTargets::keys() const {
+    std::vector<uint64_t> all{key_};
+    for (const auto& [what, aux] : aux_) all.push_back(aux.key);
+    return all;
+}
+
 uint64_t PictureTargets::frameBytes(RTuint width, RTuint height) const {
     const uint64_t row = uint64_t(width) * 4 * sizeof(float); // no format has larger pixels
     return std::max(row, uint64_t(std::max(stride_, 0))) * height;

@@ -79,6 +79,8 @@ public:
     void setLargest(FrameBuffers& buffers, uint64_t pixels);
     void setStride(FrameBuffers& buffers, RTsizei stride);
     void setAuxBuffer(RTenum what, uint64_t key, RTuint format);
+    /// Of the memory that a frame would draw to now.
+    std::vector<uint64_t> keys() const;
     /// Throws StreamError for more pixels than there may be.
     static void checkSize(uint64_t width, uint64_t height, uint64_t most);
 
