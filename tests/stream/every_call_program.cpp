@@ -3,6 +3,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "compat/stream/utility_objects.h"
 #include "openrt/rt.h"
 #include "tests/stream/every_call.h"
 
@@ -12,10 +13,13 @@ int main() {
     static EveryCallMemory memory;
     rtInit(nullptr, nullptr);
     const RTcontext context = rtGetCurrentContext();
-    const auto make = [](const CallSignature& call) {
+    UtilityObjects made;
+    const auto make = [&](const CallSignature& call) {
         CallValue arguments[kMaxParameters + 1], result;
         fillArguments(call, memory, arguments);
         invokeCall(call, arguments, result);
+        if (call.resultMeaning == Meaning::Quadric) made.made(result.as<RTUquadric*>());
+        if (call.resultMeaning == Meaning::Tessellator) made.made(result.as<RTUtesselator*>());
     };
     const auto isOfContexts = [](std::string_view name) {
         return name == "rtInit" || name == "rtExit" || name == "rtMakeCurrent";
