@@ -512,8 +512,10 @@ uint32_t pointLight(const float* from, const float* strength, const RTSvectors& 
         to.radiance.r.lane[i] = red;
         to.radiance.g.lane[i] = green;
         to.radiance.b.lane[i] = blue;
-        const bool fine = (sample.distance > 0.0) & isFiniteNumber(distance) & isFiniteNumber(red) &
-                          isFiniteNumber(green) & isFiniteNumber(blue);
+        // Numbers, not conditions: a jump in the loop would keep it from being vectorised.
+        const int fine = int(sample.distance > 0.0) & int(isFiniteNumber(distance)) &
+                         int(isFiniteNumber(red)) & int(isFiniteNumber(green)) &
+                         int(isFiniteNumber(blue));
         lit |= fine ? kLaneBit[i] : 0u;
     }
     return lit;
