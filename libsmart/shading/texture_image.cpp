@@ -119,14 +119,19 @@ struct FloatReader {
     float alpha(std::size_t i) const { return color(i); }
 };
 
+/// Between 0 and 1; NaN is 0.
+double share(double value) {
+    return value > 0.0 ? std::min(value, 1.0) : 0.0;
+}
+
 uint32_t codeOf(double value, double largest) {
-    return uint32_t(std::clamp(value, 0.0, 1.0) * largest + 0.5);
+    return uint32_t(share(value) * largest + 0.5);
 }
 
 /// The code whose value lies nearest, both encoded.
 unsigned char srgbByteOf(double linear) {
     const ByteTables& tables = byteTables();
-    const double value = std::clamp(linear, 0.0, 1.0);
+    const double value = share(linear);
     std::size_t code = tables.srgbFrom[std::size_t(value * double(ByteTables::kSteps))];
     while (code < 255 && tables.srgbMiddles[code] <= value) ++code;
     return (unsigned char)(code);
