@@ -42,6 +42,7 @@ RemoteWorkers::RemoteWorkers(Transport& transport, RemoteOptions options, Warn w
       options_(std::move(options)),
       warn_(std::move(warn)),
       peers_(transport.peers()),
+      patience_(options_.stallAfter),
       unpacker_(options_.codec),
       present_(transport.peers()) {
     receiver_ = startWorkerThread("remote", [this] { receive(); });
@@ -214,9 +215,8 @@ void RemoteWorkers::endFrame(const QueuedFrame& frame, bool done) noexcept {
 bool RemoteWorkers::waitForRoom(const std::atomic<bool>& closing) {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [&] {
-        return closing || std::any_of(peers_.begin(), peers_.end(), [](const Peer& p) {
-                   return p.greeted && !p.gone && p.room > 0;
-               });
+        return closing || std::any_of(peers_.begin(), peers_.end(),
+                                      [](const Peer& p) { return p.takesTiles(); });
     });
     return !closing;
 }
@@ -240,7 +240,7 @@ void RemoteWorkers::hand(TileJob& job, const std::shared_ptr<QueueLink>& link,
             const Peer& p = peers_[i];
             if (p.gone || !entry->second.ready[i]) continue;
             anyReady = true;
-            if (p.room > 0 && (best == peers_.size() || p.room > peers_[best].room)) best = i;
+            if (p.takesTiles() && (best == peers_.size() || p.room > peers_[best].room)) best = i;
         }
         if (best < peers_.size()) {
             const PixelTarget& target = job.frame->target;
@@ -378,7 +378,9 @@ void RemoteWorkers::take(unsigned peer, const TileAnswer& answer) {
         if (found == tickets_.end()) return; // its renderer has ended in the meantime
         ticket = std::move(found->second);
         tickets_.erase(found);
+        patience_.answered(start - ticket.sent);
         ++peers_[peer].room;
+        peers_[peer].stalled = false;
         ++traffic_.tilesAnswered;
         traffic_.answerBytes += answer.pixels.size();
         traffic_.pixelBytes += pixels.size();
@@ -419,9 +421,9 @@ void RemoteWorkers::giveBackStalled() {
     };
     std::vector<Stalled> stalled;
     std::vector<unsigned> late;
-    const Clock::time_point limit = Clock::now() - options_.stallAfter;
     {
         const std::lock_guard lock(mutex_);
+        const Clock::time_point limit = Clock::now() - patience_.limit();
         for (const auto& [number, ticket] : tickets_)
             if (!ticket.job.returned && ticket.sent < limit)
                 stalled.push_back({ticket.link, number});
@@ -434,7 +436,8 @@ void RemoteWorkers::giveBackStalled() {
         s.link->queue->returned(found->second.job);
         ++traffic_.tilesReturned;
         const unsigned peer = found->second.peer;
-        if (!std::exchange(peers_[peer].isLate, true)) late.push_back(peer);
+        peers_[peer].stalled = true;
+        if (!std::exchange(peers_[peer].wasLate, true)) late.push_back(peer);
     }
     for (const unsigned peer : late)
         warn_(transport_.peerName(peer) + " does not answer in time: others get its tiles");

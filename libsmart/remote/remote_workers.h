@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "libsmart/remote/answer_packing.h"
+#include "libsmart/remote/tile_patience.h"
 #include "libsmart/remote/transport.h"
 #include "libsmart/render/render_peers.h"
 
@@ -27,7 +28,8 @@ struct RemoteOptions {
     /// Tiles that a peer has at once for each of its threads: one under way, the others hide the
     /// latency.
     unsigned tilesAhead = 3;
-    /// After so long without an answer a tile is given to others too.
+    /// After so long without an answer a tile is given to others too; later where all tiles take
+    /// long (TilePatience).
     std::chrono::milliseconds stallAfter{1000};
     /// A peer that takes in no calls for so long while others wait for it is left out.
     std::chrono::milliseconds deafAfter{30000};
@@ -85,10 +87,12 @@ private:
 
     struct Peer {
         bool greeted = false, gone = false;
-        bool isLate = false; ///< it has been once
-        unsigned room = 0;  ///< tiles that it may have beyond those that it has
+        bool wasLate = false;
+        bool stalled = false; ///< a tile of it is late, and it has answered nothing since
+        unsigned room = 0;    ///< tiles that it may have beyond those that it has
         uint64_t taken = 0;   ///< bytes of calls and pictures
         uint64_t arrived = 0; ///< bytes of pixels, as they came
+        bool takesTiles() const { return greeted && !gone && !stalled && room > 0; }
     };
     struct Ticket {
         TileJob job;
@@ -145,6 +149,7 @@ private:
     std::vector<Peer> peers_;
     std::unordered_map<uint64_t, Ticket> tickets_;
     uint64_t lastTicket_ = 0;
+    TilePatience patience_;
     std::map<FrameKey, SharedFrame> frames_;
     std::map<FrameKey, std::vector<EarlyPeer>> early_; ///< of frames that are still to come
     std::map<uint64_t, uint64_t> lastFrame_, lastPicture_; ///< numbers by renderer

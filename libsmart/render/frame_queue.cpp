@@ -138,16 +138,13 @@ bool FrameQueue::find(TileJob& job) {
         int left = kLookAhead;
         for (const QueuedFramePtr* f = &first_; *f && left > 0; f = &(*f)->behind_) {
             if (job.remote && !(*f)->offered_.load(std::memory_order_relaxed)) continue;
-            if (takeReturned(**f, job)) {
+            // What others were asked for already comes last: they may still answer.
+            const bool waits = (*f)->waiting_.load(std::memory_order_relaxed) > 0;
+            if ((waits && mayStart(**f) && take(**f, job)) || takeReturned(**f, job)) {
                 job.ticket = *f;
                 return true;
             }
-            if ((*f)->waiting_.load(std::memory_order_relaxed) <= 0) continue;
-            if (mayStart(**f) && take(**f, job)) {
-                job.ticket = *f;
-                return true;
-            }
-            --left;
+            if (waits) --left;
         }
         if (closed_ || deserted_ || !waitForWork(lock)) return false;
     }

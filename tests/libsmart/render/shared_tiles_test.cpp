@@ -85,6 +85,28 @@ TEST(SharedTiles, WhatIsGivenBackIsHandedOutAgain) {
     EXPECT_EQ(queued->progress(), 1.0f);
 }
 
+TEST(SharedTiles, WhatIsGivenBackComesLast) {
+    TestFrame frame(1, 70, 40); // six tiles
+    FrameQueue queue(1);
+    const QueuedFramePtr queued = submit(queue, frame);
+    queue.offer(*queued, true);
+    TileJob slow = remoteJob();
+    ASSERT_TRUE(queue.next(slow));
+    queue.returned(slow);
+    const Answer answer(frame.frame->target, slow.tile, 1);
+    const auto isSlow = [&](const TileJob& job) {
+        return job.tile.x == slow.tile.x && job.tile.y == slow.tile.y;
+    };
+    for (const bool remote : {true, false, true, false, true, true}) {
+        TileJob job = remote ? remoteJob() : TileJob();
+        ASSERT_TRUE(queue.next(job));
+        EXPECT_EQ(isSlow(job), queued->progress() > 0.8f);
+        queue.answered(job, Answer(frame.frame->target, job.tile, 1).tile());
+    }
+    EXPECT_TRUE(queued->ended());
+    EXPECT_TRUE(isComplete(frame));
+}
+
 TEST(SharedTiles, TheFirstAnswerCounts) {
     for (const bool lateIsFirst : {false, true}) {
         TestFrame frame(1, 32, 32);
