@@ -9,6 +9,7 @@ scene. With --full each sample is run with 1, 2, 3 and 4 ranks, else with one of
 Several jobs run at once: most of a job's time is waiting for its start and end.
 """
 import concurrent.futures
+import functools
 import itertools
 import os
 import pathlib
@@ -123,14 +124,24 @@ class Jobs(unittest.TestCase):
         shutil.rmtree(folder)
         return tiles
 
-    def compare_shared(self, ranks, command, changes=None, runs=8):
-        """The same, until other ranks have had a part in it: where the machine is busy a short
-        program may be over before they are ready."""
-        self.assertTrue(any(self.compare(ranks, command, changes=changes) > 0
-                            for _ in range(runs)))
+    def until(self, attempt):
+        """Calls attempt(samples) with ever more samples a pixel until it is true: a short job may
+        be over before the other ranks have taken a tile, and more so on a busy machine."""
+        self.assertTrue(any(attempt(samples) for samples in (2, 8, 32, 128, 512)))
 
-    def program(self, way):
-        return lambda folder: [BIN / "mpi_program", folder / "out", way]
+    def compare_shared(self, ranks, command, changes=None):
+        """compare, until other ranks have had a part in it; command(samples)(folder)."""
+        self.until(lambda samples: self.compare(ranks, command(samples), changes=changes) > 0)
+
+    def program(self, way, samples=4):
+        return lambda folder: [BIN / "mpi_program", folder / "out", way, "--rt-samples", samples]
+
+    def frames_alone(self, samples):
+        """The pictures of one process and one thread."""
+        folder = self.folder / f"alone{samples}"
+        folder.mkdir()
+        alone(*self.program("frames", samples)(folder))
+        return (folder / "out").read_bytes()
 
     def compare_all(self, programs):
         at_once(self.compare, [(ranks, command) for i, command in enumerate(programs)
@@ -147,30 +158,34 @@ class Jobs(unittest.TestCase):
             [lambda folder, p=p, a=a: [BIN / p, folder / a[0], *a[1:]] for p, a in SHORT.items()])
 
     def test_render_a_scene(self):
+        def render(name):
+            return lambda samples: lambda folder: [
+                BIN / "openrt-render", MODEL, "-o", folder / name, "--size", "320x240",
+                "--samples", samples, "--frames", 2]
         at_once(self.compare_shared, [
-            (ranks, lambda folder, name=name: [BIN / "openrt-render", MODEL, "-o", folder / name,
-                                               "--size", "320x240", "--samples", 2, "--frames", 2],
-             {"OPENRT_MPI_PACK": packing})
+            (ranks, render(name), {"OPENRT_MPI_PACK": packing})
             for ranks, name, packing in ((2, "out.png", "never"), (4, "out.exr", "always"))])
 
     def test_frames_of_scenes_that_change(self):
         self.assertEqual(self.compare(1, self.program("frames")), 0)
         for ranks in (2, 3, 4):
-            self.compare_shared(ranks, self.program("frames"))
+            self.compare_shared(ranks, functools.partial(self.program, "frames"))
 
     def test_packed_tiles_are_fewer_bytes(self):
-        program = [BIN / "mpi_program", self.folder / "out", "frames"]
-        for packing, fewer in (("always", True), ("never", False)):
-            for _ in range(8):
-                text = mpirun((2, {"OPENRT_MPI_PACK": packing}, program)).stderr
-                found = re.search(r"received (\d+) bytes of pixels as (\d+);", text)
-                if int(found[1]) > 0:
-                    break
-            self.assertEqual(int(found[2]) < int(found[1]), fewer, text)
-            self.assertGreater(int(found[2]), 0)
+        def received(packing, samples):
+            text = mpirun((2, {"OPENRT_MPI_PACK": packing},
+                           self.program("frames", samples)(self.folder))).stderr
+            found = re.search(r"received (\d+) bytes of pixels as (\d+);", text)
+            plain, sent = int(found[1]), int(found[2])
+            if plain > 0:
+                self.assertEqual(sent < plain, packing == "always", text)
+                self.assertGreater(sent, 0)
+            return plain > 0
+        for packing in ("always", "never"):
+            self.until(functools.partial(received, packing))
 
     def test_pictures_that_become_textures(self):
-        self.compare_shared(3, self.program("copy"))
+        self.compare_shared(3, functools.partial(self.program, "copy"))
 
     def test_contexts(self):
         self.compare(3, self.program("contexts"))
@@ -224,37 +239,41 @@ class Jobs(unittest.TestCase):
         self.recovering(self.folder / "together", 0, 100000)
 
     def test_ranks_of_different_instruction_sets(self):
-        path = self.folder / "alone"
-        path.mkdir()
-        alone(BIN / "mpi_program", path / "out", "frames")
-        program = [BIN / "mpi_program", self.folder / "out", "frames"]
-        result = mpirun((1, {"OPENRT_ISA": "generic"}, program), (1, {}, program),
-                        (1, {"OPENRT_ISA": "sse4"}, program))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual((self.folder / "out").read_bytes(), (path / "out").read_bytes())
-        self.assertGreater(remote_tiles(result.stderr)[0], 0)
+        def shared(samples):
+            program = self.program("frames", samples)(self.folder)
+            result = mpirun((1, {"OPENRT_ISA": "generic"}, program), (1, {}, program),
+                            (1, {"OPENRT_ISA": "sse4"}, program))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual((self.folder / "out").read_bytes(), self.frames_alone(samples))
+            return remote_tiles(result.stderr)[0] > 0
+        self.until(shared)
 
     def test_a_plug_in_that_a_rank_lacks_is_named(self):
         shaders = self.folder / "shaders"
         shaders.mkdir()
         shutil.copy(SHADERS / "marble.so", shaders / "only_here.so")
-        program = [BIN / "mpi_program", self.folder / "out", "plugin"]
-        first = subprocess.run(
-            [str(p) for p in program], capture_output=True, timeout=SECONDS,
-            env=environment(OPENRT_MPI="0", OPENRT_SHADER_PATH=str(shaders)))
-        self.assertEqual((first.returncode, first.stdout), (0, b""))
-        expected = (self.folder / "out").read_bytes()
-        with_it = {"OPENRT_SHADER_PATH": shaders}
-        result = mpirun((2, with_it, program))
-        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
-        self.assertEqual((self.folder / "out").read_bytes(), expected)
-        result = mpirun((2, with_it, program), (1, {"OPENRT_SHADER_PATH": "/"}, program))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual((self.folder / "out").read_bytes(), expected)
-        self.assertRegex(result.stderr, "rank 2 renders no more: rtGenNewShaderClass")
-        self.assertIn("error: ", result.stdout)  # and an error of the interface, once
-        self.assertIn("rank 2", result.stdout)
-        self.assertEqual(result.stdout.count("\n"), 1)
+        with_it = {"OPENRT_SHADER_PATH": str(shaders)}
+
+        def named(samples):
+            program = [str(p) for p in self.program("plugin", samples)(self.folder)]
+            first = subprocess.run(program, capture_output=True, timeout=SECONDS,
+                                   env=environment(OPENRT_MPI="0", **with_it))
+            self.assertEqual((first.returncode, first.stdout), (0, b""))
+            expected = (self.folder / "out").read_bytes()
+            result = mpirun((2, with_it, program))
+            self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+            self.assertEqual((self.folder / "out").read_bytes(), expected)
+            result = mpirun((2, with_it, program), (1, {"OPENRT_SHADER_PATH": "/"}, program))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual((self.folder / "out").read_bytes(), expected)
+            if not result.stdout:  # over before that rank had said it
+                return False
+            self.assertRegex(result.stderr, "rank 2 renders no more: rtGenNewShaderClass")
+            self.assertIn("error: ", result.stdout)  # and an error of the interface, once
+            self.assertIn("rank 2", result.stdout)
+            self.assertEqual(result.stdout.count("\n"), 1)
+            return True
+        self.until(named)
 
     def test_another_build_of_the_library_is_left_out(self):
         other = self.folder / "other"
@@ -266,16 +285,19 @@ class Jobs(unittest.TestCase):
         data[at + 16] ^= 1
         (other / "libOpenRT.so.0").write_bytes(data)
         shutil.copy(LIBRARY.parent / "libOpenRT-mpi.so.0", other)
-        program = [BIN / "mpi_program", self.folder / "out", "frames"]
-        path = self.folder / "alone"
-        path.mkdir()
-        alone(BIN / "mpi_program", path / "out", "frames")
-        result = mpirun((2, {}, program), (1, {"LD_LIBRARY_PATH": other,
-                                               "LD_PRELOAD": other / "libOpenRT.so.0"}, program))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual((self.folder / "out").read_bytes(), (path / "out").read_bytes())
-        self.assertRegex(result.stderr, "rank 2 renders no more: its library is another one")
-        self.assertIn("its library is another one", result.stdout)
+
+        def left_out(samples):
+            program = self.program("frames", samples)(self.folder)
+            result = mpirun((2, {}, program), (1, {"LD_LIBRARY_PATH": other, "LD_PRELOAD":
+                                                   other / "libOpenRT.so.0"}, program))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual((self.folder / "out").read_bytes(), self.frames_alone(samples))
+            if not result.stdout:  # over before that rank had greeted
+                return False
+            self.assertRegex(result.stderr, "rank 2 renders no more: its library is another one")
+            self.assertIn("its library is another one", result.stdout)
+            return True
+        self.until(left_out)
 
     def test_asked_for_without_a_launcher(self):
         program = self.program("frames")(self.folder)

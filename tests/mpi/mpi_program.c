@@ -155,7 +155,6 @@ int main(int argc, char *argv[]) {
     if (!output) return 4;
     rtSetFrameBuffer(pixels[0], kWidth, kHeight, RT_RGBA_8);
     rtClearColor(0.1f, 0.2f, 0.3f, 1.0f);
-    rtSamples(4);
     if (strcmp(way, "frames") == 0) frames(8);
     if (strcmp(way, "copy") == 0) copy();
     if (strcmp(way, "contexts") == 0) contexts();
