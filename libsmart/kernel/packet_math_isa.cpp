@@ -129,7 +129,7 @@ uint32_t gatherNormals(const VertexValues& from, const VertexLanes& vertices, Co
 }
 
 /// See weightsOf for a single point.
-void findWeights(const HitPacket& hits, Weights& w) {
+void findWeights(const HitPacket& hits, uint32_t lanes, Weights& w) {
     uint32_t over = 0;
     for (int i = 0; i < N; ++i) {
         const double u = hits.u[i], v = hits.v[i], sum = u + v;
@@ -138,7 +138,7 @@ void findWeights(const HitPacket& hits, Weights& w) {
         w[2][i] = v;
         over |= sum > 1.0 ? kLaneBit[i] : 0u;
     }
-    for (; over != 0; over &= over - 1) {
+    for (over &= lanes; over != 0; over &= over - 1) {
         const int i = __builtin_ctz(over);
         const double sum = w[1][i] + w[2][i];
         w[0][i] = 0.0;
@@ -432,7 +432,7 @@ uint32_t surfacePoints(const SurfaceView& view, const VertexLanes& vertices, con
     alignas(64) double area[N];
     alignas(64) DoubleLanes unit;
     uint32_t fine = lanes;
-    if (reads & kOfWeights) findWeights(hits, w);
+    if (reads & kOfWeights) findWeights(hits, lanes, w);
     if (reads & RTS_READS_RAY) fine &= findRays(rays, hits, p, unit);
     const Matrix m(view.toWorld);
     if ((reads & kOfCorners) && differ == 0) {

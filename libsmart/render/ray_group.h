@@ -127,9 +127,9 @@ struct RayMemory {
     RayPacket ownRays;
     HitPacket ownHits;
 };
-/// A group by itself.
+/// A group by itself. Its memory is 0 at first: lanes without a ray are computed along.
 struct LoneRayGroup : private RayMemory, RayGroup {
-    LoneRayGroup() : RayGroup(ownRays, ownHits) {}
+    LoneRayGroup() : RayMemory{}, RayGroup(ownRays, ownHits) {}
 };
 
 /// Groups of neighbours, which are traced as one tile: their rays lie side by side.

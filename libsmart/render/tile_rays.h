@@ -43,10 +43,6 @@ constexpr uint32_t entryOf(uint32_t ray) {
 /// What a tile needs while one sample of each of its pixels is made.
 struct TileRays {
     TileRays() : blocks{}, active{} {
-        for (LoneRayGroup& group : collected) {
-            group.rays = {}; // lanes without a ray are computed along
-            group.hits = {};
-        }
         for (uint32_t ray = 0; ray < TilePixels::kCount; ++ray) {
             RayGroup& group = packet(ray / uint32_t(kPacketSize));
             group.sample[ray % uint32_t(kPacketSize)] = &samples[ray];
