@@ -274,8 +274,9 @@ double largestRow(const Matrix& m) {
 [[gnu::always_inline]] inline double farthest(const Real3& a, const Real3& b, const Real3& c) {
     return largerOf(largerOf(largestCoordinate(a), largestCoordinate(b)), largestCoordinate(c));
 }
-[[gnu::always_inline]] inline float errorAt(const Real3& a, const Real3& ab, const Real3& ac, double far, double rows,
-              const HitPacket& hits, const RTSpacket& p, int i) {
+[[gnu::always_inline]] inline float errorAt(const Real3& a, const Real3& ab, const Real3& ac,
+                                            double far, double rows, const HitPacket& hits,
+                                            const RTSpacket& p, int i) {
     constexpr double kUnit = 0x1p-23;
     const Real3 point = a + ab * double(hits.u[i]) + ac * double(hits.v[i]);
     const double lost = largestCoordinate(widened(p.position, i)) + rows * largestCoordinate(point);
