@@ -22,9 +22,19 @@ constexpr std::size_t kFirstDescriptor = offsetof(RTshaderclass, shadePacket);
     throw Error(ErrorCode::InvalidValue, "shader class '" + shaderClass + "': " + reason);
 }
 
+/// Of an enumeration that another program has set: perhaps none of its values, which may not be
+/// read as such.
+template <class Enumeration>
+int numberOf(const Enumeration& value) {
+    static_assert(sizeof(Enumeration) == sizeof(int));
+    int number = 0;
+    std::memcpy(&number, &value, sizeof(number));
+    return number;
+}
+
 /// Bytes that the type asks for; 0: any number of them (RTS_RAW). Not a type: refused.
 std::size_t sizeOfType(const std::string& shaderClass, const RTSparameter& p) {
-    switch (int(p.type)) {
+    switch (numberOf(p.type)) {
     case RTS_INT1: return p.size == 1 ? 1 : 4;
     case RTS_INT2: return 8;
     case RTS_INT3: return 12;
@@ -37,7 +47,7 @@ std::size_t sizeOfType(const std::string& shaderClass, const RTSparameter& p) {
     case RTS_STRING: return sizeof(const char*);
     default:
         refuse(shaderClass, "parameter '" + std::string(p.name) + "' has the unknown type " +
-                                std::to_string(int(p.type)));
+                                std::to_string(numberOf(p.type)));
     }
 }
 
@@ -81,11 +91,13 @@ void checkParameter(const RTshaderclass& d, const std::string& name, const RTSpa
     if (!p.name || !*p.name) refuse(name, "a parameter has no name");
     const std::string parameter = "parameter '" + std::string(p.name) + "'";
     std::size_t block = 0;
-    switch (int(p.scope)) {
+    switch (numberOf(p.scope)) {
     case RTS_PER_SHADER: block = d.shaderSize; break;
     case RTS_PER_TRIANGLE: block = d.triangleSize; break;
     case RTS_PER_VERTEX: block = d.vertexSize; break;
-    default: refuse(name, parameter + " has the unknown scope " + std::to_string(int(p.scope)));
+    default:
+        refuse(name,
+               parameter + " has the unknown scope " + std::to_string(numberOf(p.scope)));
     }
     const std::size_t size = sizeOfType(name, p);
     if (size ? p.size != size : p.size == 0)

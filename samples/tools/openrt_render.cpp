@@ -119,6 +119,7 @@ int run() {
     const Picture picture(size, format);
     for (uint32_t frame = 0; frame < options.frames; ++frame) {
         scene.describeFrame(view, size.aspect(), shaders);
+        samples::checkRt(); // before the frame: whoever throws while it is in flight frees the picture
         const Clock::time_point start = Clock::now();
         rtStartRendering();
         samples::checkRt();

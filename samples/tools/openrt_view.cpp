@@ -94,8 +94,14 @@ void connect(const samples::PictureWindow& window, Controls& controls) {
 class FrameLoop {
 public:
     /// findFocus: the camera is to circle around what the middle of the first picture shows.
-    FrameLoop(samples::PictureWindow& window, Controls& controls, const samples::RtScene& scene, bool findFocus)
+    FrameLoop(samples::PictureWindow& window, Controls& controls, const samples::RtScene& scene,
+              bool findFocus)
         : window_(window), controls_(controls), scene_(scene), findFocus_(findFocus) {}
+    ~FrameLoop() {
+        if (inFlight_) rtEndRendering(); // into a picture of this loop
+    }
+    FrameLoop(const FrameLoop&) = delete;
+    FrameLoop& operator=(const FrameLoop&) = delete;
 
     void run() {
         while (!window_.wantsToClose()) {
@@ -140,6 +146,7 @@ private:
         rtSetFrameBuffer(next_.rgba.data(), next_.size.width, next_.size.height, RT_RGBA_8);
         scene_.describeFrame(controls_.camera.view(), whole.aspect());
         if (std::exchange(findFocus_, false)) focus();
+        samples::checkRt();
         startTime_ = Clock::now();
         rtStartRendering();
         samples::checkRt();

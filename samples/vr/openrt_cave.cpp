@@ -58,7 +58,7 @@ public:
     }
 
     /// Queues a moment: the first view with the scene, the others of the scene as it is frozen
-    /// then; and waits for all.
+    /// then; and waits for all, before it throws what went wrong.
     void render(const samples::RtScene& scene, const samples::CavePlace& place,
                 const samples::HeadPose& head, samples::LatencyReport& latency) {
         std::vector<RTuint> frames;
@@ -69,7 +69,6 @@ public:
                 look(samples::caveWalls(options.side)[wall], place, eyeOf(head, eye));
                 if (frames.empty()) scene.describeWorld();
                 frames.push_back(frames.empty() ? rtQueueFrame() : rtQueueView());
-                samples::checkRt();
             }
         }
         for (std::size_t i = 0; i < frames.size(); ++i) {

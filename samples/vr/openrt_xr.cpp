@@ -35,7 +35,7 @@ glm::dmat4 poseIn(const samples::CavePlace& place, const samples::HeadsetEye& ey
     return pose;
 }
 
-/// The first eye's frame freezes the scene, the other's shows it again.
+/// The first eye's frame freezes the scene, the other's shows it again. Throws when both are over.
 void render(const samples::RtScene& scene, const samples::CavePlace& place,
             const std::vector<samples::HeadsetEye>& eyes, samples::PictureSize size,
             std::vector<std::vector<uint8_t>>& pictures) {
@@ -47,7 +47,6 @@ void render(const samples::RtScene& scene, const samples::CavePlace& place,
                          eye.down);
         if (frames.empty()) scene.describeWorld();
         frames.push_back(frames.empty() ? rtQueueFrame() : rtQueueView());
-        samples::checkRt();
     }
     for (const RTuint frame : frames) rtWaitFrame(frame);
     samples::checkRt();

@@ -256,7 +256,7 @@ TEST(ListTranscript, NamesOfAllTypes) {
         const unsigned char unsignedBytes[] = {199, 5, 0};
         gl.CallLists(3, GL_UNSIGNED_BYTE, unsignedBytes);
         called("unsigned bytes");
-        const short shorts[] = {-99, 150};
+        const short shorts[] = {-99, 150, -98};
         gl.CallLists(2, GL_SHORT, shorts);
         called("shorts");
         const unsigned short unsignedShorts[] = {7, 150};

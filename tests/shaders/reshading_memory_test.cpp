@@ -46,6 +46,15 @@ void* operator new(std::size_t bytes) { return allocate(bytes, 1); }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
     return allocate(bytes, std::size_t(alignment));
 }
+// Those of arrays call these, but not where a sanitizer has its own.
+void* operator new[](std::size_t bytes) { return allocate(bytes, 1); }
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+    return allocate(bytes, std::size_t(alignment));
+}
+void operator delete[](void* block) noexcept { release(block); }
+void operator delete[](void* block, std::size_t) noexcept { release(block); }
+void operator delete[](void* block, std::align_val_t) noexcept { release(block); }
+void operator delete[](void* block, std::size_t, std::align_val_t) noexcept { release(block); }
 void operator delete(void* block) noexcept { release(block); }
 void operator delete(void* block, std::size_t) noexcept { release(block); }
 void operator delete(void* block, std::align_val_t) noexcept { release(block); }
