@@ -37,8 +37,9 @@ float dot(const Point& a, const Point& b) {
 /// Where the rays of a packet met something.
 struct Met {
     uint32_t lanes = 0;
-    Point at[kLanes], normal[kLanes], direction[kLanes]; ///< the normal towards the ray's start
-    uint32_t instance[kLanes];
+    Point at[kLanes] = {}, normal[kLanes] = {}, ///< the normal towards the ray's start
+          direction[kLanes] = {};
+    uint32_t instance[kLanes] = {};
 };
 
 class TileRays {
@@ -157,7 +158,7 @@ private:
     }
 
     void reflect(const Met& met) {
-        Point direction[kLanes];
+        Point direction[kLanes] = {};
         uint32_t lanes = 0;
         for (int i = 0; i < kLanes; ++i) {
             if (!(met.lanes >> i & 1)) continue;
