@@ -24,10 +24,10 @@ import unittest
 
 BIN, LIBRARY, SHADERS, MODEL = (pathlib.Path(a).resolve() for a in sys.argv[1:5])
 FULL = "--full" in sys.argv[5:]
-PORTS = ["checker", "clip", "fog", "gears", "isosurface", "material_grid", "mirror", "model",
-         "movelight", "nested_lists", "overlay", "panes", "planet", "revolution", "robot", "scene",
-         "shadows", "spots", "terrain", "texbind", "text", "torus", "varray", "rt_teapots",
-         "rt_mirror"]
+PORTS = ["checker", "clip", "fog", "gears", "isosurface", "lightmap", "material_grid", "mirror",
+         "model", "movelight", "nested_lists", "overlay", "panes", "planet", "revolution", "robot",
+         "scene", "shadows", "spots", "terrain", "texbind", "text", "torus", "varray",
+         "rt_teapots", "rt_mirror"]
 SHORT = {"02_instances": ["out.png"], "01_triangle": ["out.png"], "03_sphere": ["out.pfm"],
          "04_floor": ["out.pfm"], "06_shaders": ["out.png"], "07_frame_queue": ["frame", "2"]}
 SIZE = "96x72"
