@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { kSize = 256, kFrames = 3 };
+enum { kSize = LEAVE_SIZE, kFrames = 3 };
 
 static RTubyte pixels[kFrames][kSize * kSize * 4];
 
