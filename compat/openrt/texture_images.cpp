@@ -68,8 +68,7 @@ TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixe
     checkTextureImage(call);
     if (call.width == 0 || call.height == 0) return nullptr;
     const InternalFormat internal = internalFormatOf(call.internalFormat);
-    return std::make_shared<const TextureImage>(
-        imageOf(pixels, call.width, call.height, internal));
+    return std::make_shared<TextureImage>(imageOf(pixels, call.width, call.height, internal));
 }
 
 void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image) {
@@ -89,10 +88,7 @@ void replaceTexturePart(Context& context, const TexturePartCall& call,
     const TextureLevelInfo info = textures.info(level, call.target);
     const InternalFormat internal = internalFormatOf(info.internalFormat);
     const TextureImage part = imageOf(pixels, call.width, call.height, internal);
-    textures.setImage(level,
-                      std::make_shared<const TextureImage>(textures.image(level, call.target)->withPart(
-                          uint32_t(call.xoffset), uint32_t(call.yoffset), part)),
-                      info.internalFormat, internal.format, call.target);
+    textures.setPart(level, uint32_t(call.xoffset), uint32_t(call.yoffset), part, call.target);
 }
 
 } // namespace smart::compat

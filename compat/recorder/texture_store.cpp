@@ -24,7 +24,7 @@ uint32_t TextureStore::generate() {
 }
 
 void TextureStore::remove(uint32_t id) {
-    if (id == 0 || objects_.erase(id) == 0) return;
+    if (id == 0 || id > kMaxId || objects_.erase(id) == 0) return;
     for (Bindings& unit : bound_) {
         if (unit.keys[0] == id) unit.keys[0] = kDefault1D;
         if (unit.keys[1] == id) unit.keys[1] = 0;
@@ -66,6 +66,27 @@ void TextureStore::setImage(uint32_t level, TextureImagePtr image, int32_t inter
     object.images.reset();
     object.stale = true;
     table_.reset();
+}
+
+void TextureStore::setPart(uint32_t level, uint32_t x, uint32_t y, const TextureImage& part,
+                           TextureTarget target) {
+    Object& object = objects_.at(keyOfBound(target));
+    const TextureLevelInfo old = info(level, target);
+    // Where only these hold the image still, no frame does.
+    object.images.reset();
+    object.texture.reset();
+    object.stale = true;
+    table_.reset();
+    const Level* const given = object.find(level);
+    std::shared_ptr<TextureImage> image;
+    if (given && given->image.use_count() == 1) {
+        TextureImagePtr(given->image).reset(); // after whatever the last frame that had it did
+        image = std::const_pointer_cast<TextureImage>(given->image);
+    } else {
+        image = std::make_shared<TextureImage>(*this->image(level, target));
+    }
+    image->setPart(x, y, part);
+    setImage(level, std::move(image), old.internalFormat, old.format, target);
 }
 
 TextureImagePtr TextureStore::image(uint32_t level, TextureTarget target) const {

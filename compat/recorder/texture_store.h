@@ -59,11 +59,15 @@ public:
     }
 
     // Of the texture bound to a target:
-    /// Image of a level; nullptr: none. Where the parameters say so, the levels below the base
+    /// Image of a level, which was not made const; nullptr: none. Where the parameters say so, the levels below the base
     /// level are to be made from it.
     void setImage(uint32_t level, TextureImagePtr image, int32_t internalFormat,
                   TexelFormat format = TexelFormat::ByChannels,
                   TextureTarget target = kDefaultTarget);
+    /// Replaces a part of a level that there is: in place, unless a frame has the image. Throws Error
+    /// as TextureImage::setPart() does.
+    void setPart(uint32_t level, uint32_t x, uint32_t y, const TextureImage& part,
+                 TextureTarget target = kDefaultTarget);
     /// nullptr: the level has none.
     TextureImagePtr image(uint32_t level, TextureTarget target = kDefaultTarget) const;
     TextureLevelInfo info(uint32_t level, TextureTarget target = kDefaultTarget) const;

@@ -250,7 +250,7 @@ void TextureImage::readRow(uint32_t row, float* values) const {
     });
 }
 
-TextureImage TextureImage::withPart(uint32_t x, uint32_t y, const TextureImage& part) const {
+void TextureImage::setPart(uint32_t x, uint32_t y, const TextureImage& part) {
     if (x > width_ || y > height_ || part.width_ > width_ - x || part.height_ > height_ - y)
         throw Error(ErrorCode::InvalidValue, "the part does not lie inside the image");
     if (part.channels_ != channels_)
@@ -260,9 +260,8 @@ TextureImage TextureImage::withPart(uint32_t x, uint32_t y, const TextureImage& 
     const bool same = part.type_ == type_ && part.srgb_ == srgb_;
     std::vector<float> row(same ? 0 : count);
     std::vector<double> values(row.size());
-    TextureImage result = *this;
     for (uint32_t j = 0; j < part.height_; ++j) {
-        std::byte* to = result.texels_.data() +
+        std::byte* to = texels_.data() +
                         ((std::size_t(y) + j) * width_ + x) * channels_ * channelBytes;
         if (same) {
             std::memcpy(to, part.texels_.data() + j * count * channelBytes, count * channelBytes);
@@ -272,7 +271,6 @@ TextureImage TextureImage::withPart(uint32_t x, uint32_t y, const TextureImage& 
         std::copy(row.begin(), row.end(), values.begin());
         encodeTexels(values.data(), count, channels_, type_, srgb_, to);
     }
-    return result;
 }
 
 void encodeTexels(const double* values, std::size_t count, uint32_t channels, TexelType type,

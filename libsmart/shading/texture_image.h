@@ -43,9 +43,9 @@ public:
     /// The channels of a row, linear. `values`: width * channels.
     void readRow(uint32_t row, float* values) const;
 
-    /// This image with another one in a part of it, converted to this one's type. Throws Error
-    /// where it does not lie inside or has other channels.
-    TextureImage withPart(uint32_t x, uint32_t y, const TextureImage& part) const;
+    /// Puts another image into a part of this one, converted to its type. Throws Error where it
+    /// does not lie inside or has other channels.
+    void setPart(uint32_t x, uint32_t y, const TextureImage& part);
 
 private:
     template <class Use>

@@ -53,6 +53,10 @@ static void names(void) {
     CHECK(rtIsTexture(777) == RT_FALSE);
     rtGetIntegerv(RT_TEXTURE_BINDING_2D, &bound);
     CHECK(bound == 0);
+    for (id[0] = 1048574; id[0] < 1048580; ++id[0]) rtDeleteTextures(1, id); /* beyond all names */
+    bound = -1;
+    rtGetTexParameteriv(RT_TEXTURE_1D, RT_TEXTURE_WRAP_S, &bound);
+    CHECK(bound == RT_REPEAT);
     CHECK_ERROR(RT_NO_ERROR);
 }
 
