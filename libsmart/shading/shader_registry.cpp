@@ -15,6 +15,11 @@ struct Shader::Registered {
     std::size_t freeIndices = 0;
     bool changed = true;         // since `table` was made
     std::shared_ptr<const ShaderTable> table;
+
+    void change() {
+        const std::lock_guard lock(mutex);
+        changed = true;
+    }
 };
 
 Shader::Shader(std::shared_ptr<Registered> registered, ShaderClassPtr shaderClass)
@@ -56,9 +61,8 @@ void Shader::set(uint32_t parameter, std::vector<std::byte> bytes) {
     const auto [entry, isNew] = values_.try_emplace(parameter);
     if (!isNew && entry->second == bytes) return;
     entry->second = std::move(bytes);
-    const std::lock_guard lock(registered_->mutex);
     frozen_.reset();
-    registered_->changed = true;
+    registered_->change();
 }
 
 ShaderRegistry::ShaderRegistry() : registered_(std::make_shared<Shader::Registered>()) {
@@ -71,27 +75,48 @@ std::shared_ptr<Shader> ShaderRegistry::create(ShaderClassPtr shaderClass) {
     return std::shared_ptr<Shader>(new Shader(registered_, std::move(shaderClass)));
 }
 
+// Constructors and destructors of shaders are the application's code, which may call the library:
+// they run while nothing is locked.
 std::shared_ptr<const ShaderTable> ShaderRegistry::freeze() {
-    const std::lock_guard lock(registered_->mutex);
-    if (!registered_->changed) return registered_->table;
-    auto table = std::make_shared<ShaderTable>(registered_->living.size());
-    bool failed = false;
-    for (std::size_t i = 0; i < table->size(); ++i) {
-        Shader* shader = registered_->living[i];
-        if (!shader) continue;
-        if (!shader->frozen_) {
+    std::vector<std::shared_ptr<Shader>> living; // until the table is made none of them leaves
+    {
+        const std::lock_guard lock(registered_->mutex);
+        if (!registered_->changed) return registered_->table;
+        living.reserve(registered_->living.size());
+        for (Shader* shader : registered_->living)
+            living.push_back(shader ? shader->weak_from_this().lock() : nullptr);
+        registered_->changed = false;
+    }
+    try {
+        bool failed = false;
+        std::shared_ptr<const ShaderTable> table = freeze(living, failed);
+        if (failed) registered_->change(); // tried again next time
+        const std::lock_guard lock(registered_->mutex);
+        registered_->table.swap(table);
+        return registered_->table;
+    } catch (...) {
+        registered_->change();
+        throw;
+    }
+}
+
+std::shared_ptr<const ShaderTable> ShaderRegistry::freeze(
+    const std::vector<std::shared_ptr<Shader>>& shaders, bool& failed) {
+    auto table = std::make_shared<ShaderTable>(shaders.size());
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+        if (!shaders[i]) continue;
+        Shader& shader = *shaders[i];
+        if (!shader.frozen_) {
             try {
-                shader->frozen_ =
-                    std::make_shared<const ShaderObject>(shader->class_, shader->values_);
+                const ParameterValues values = shader.values_; // which its constructor may set
+                shader.frozen_ = std::make_shared<const ShaderObject>(shader.class_, values);
             } catch (const Error&) {
                 failed = true; // without an object only what uses this shader suffers
                 continue;
             }
         }
-        (*table)[i] = shader->frozen_;
+        (*table)[i] = shader.frozen_;
     }
-    registered_->table = table;
-    registered_->changed = failed; // tried again next time
     return table;
 }
 

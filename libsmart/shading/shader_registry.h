@@ -17,7 +17,7 @@ namespace smart {
 /// context's thread, except that its last owner may be any thread, and may outlive the registry.
 /// Whatever refers to a shader by its index keeps it alive: once it is gone another one gets the
 /// index. Made by ShaderRegistry.
-class Shader {
+class Shader : public std::enable_shared_from_this<Shader> {
 public:
     ~Shader();
     Shader(const Shader&) = delete;
@@ -59,6 +59,9 @@ public:
     std::shared_ptr<const ShaderTable> freeze();
 
 private:
+    static std::shared_ptr<const ShaderTable> freeze(
+        const std::vector<std::shared_ptr<Shader>>& shaders, bool& failed);
+
     std::shared_ptr<Shader::Registered> registered_;
     std::shared_ptr<Shader> defaultSurface_;
 };

@@ -77,6 +77,34 @@ TEST(ShaderRegistryTest, UnchangedShadersKeepTheirObjectsAndTheTable) {
     EXPECT_NE((*second)[b->index()], (*first)[b->index()]);
 }
 
+/// Uses the registry while it is constructed and destroyed.
+struct Reentrant {
+    static inline ShaderRegistry* registry = nullptr;
+    static inline std::shared_ptr<Shader> made;
+
+    Reentrant() {
+        if (registry) made = registry->create(countedClass());
+    }
+    ~Reentrant() { made.reset(); }
+    void shade(TraceContext& c) const { c.setRadiance(Color(1.0f)); }
+};
+
+TEST(ShaderRegistryTest, ConstructorsAndDestructorsMayUseIt) {
+    ShaderRegistry registry;
+    auto shader = registry.create(
+        std::make_shared<ShaderClass>(*shaderClass<Reentrant>("Reentrant"), nullptr));
+    Reentrant::registry = &registry;
+    EXPECT_NE((*registry.freeze())[shader->index()], nullptr);
+    ASSERT_TRUE(Reentrant::made);
+    const uint32_t made = Reentrant::made->index();
+    EXPECT_NE((*registry.freeze())[made], nullptr) << "it came while the table was made";
+    shader.reset();
+    registry.freeze();
+    EXPECT_FALSE(Reentrant::made) << "it left with the old table";
+    EXPECT_EQ((*registry.freeze())[made], nullptr);
+    Reentrant::registry = nullptr;
+}
+
 TEST(ShaderRegistryTest, RemovedShadersLeaveTheTableButNotFrozenOnes) {
     const int before = living;
     {
