@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libsmart/base/fp_environment.h"
+#include "libsmart/base/signals_blocked.h"
 
 namespace smart {
 
@@ -18,6 +19,7 @@ BuildCrew::~BuildCrew() {
 }
 
 void BuildCrew::startHelpers(std::size_t useful) {
+    const SignalsBlocked signalsBlocked;
     try {
         while (helpers_.size() + 1 < threads_ && helpers_.size() + 1 < useful)
             helpers_.emplace_back([this, seen = round_] { help(seen); });

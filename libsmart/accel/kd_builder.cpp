@@ -18,6 +18,7 @@
 
 #include "libsmart/accel/kd_subtree.h"
 #include "libsmart/base/error.h"
+#include "libsmart/base/signals_blocked.h"
 
 namespace smart {
 namespace {
@@ -228,6 +229,7 @@ KdTree buildOnce(const KdPrimitives& primitives, const KdBuildOptions& options, 
     {
         std::vector<std::jthread> helpers;
         try {
+            const SignalsBlocked signalsBlocked;
             while (helpers.size() + 1 < std::min(options.threads, useful)) {
                 helpers.emplace_back([&] { buildBranches(queue, shared, eventsSwept); });
             }

@@ -2,7 +2,6 @@
 #include "libsmart/render/worker.h"
 
 #include <algorithm>
-#include <csignal>
 #include <exception>
 #include <string>
 #include <system_error>
@@ -14,36 +13,11 @@
 #endif
 
 #include "libsmart/base/fp_environment.h"
+#include "libsmart/base/signals_blocked.h"
 #include "libsmart/geometry/model.h"
 
 namespace smart {
 namespace {
-
-// Blocks signals that come from outside while it lives; threads inherit that. Those that a thread
-// raises by its own fault stay: blocked, they would end the process without the host's handler.
-class SignalsBlocked {
-public:
-#if defined(__unix__) || defined(__APPLE__)
-    SignalsBlocked() {
-        sigset_t blocked;
-        sigfillset(&blocked);
-        for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS})
-            sigdelset(&blocked, own);
-        pthread_sigmask(SIG_BLOCK, &blocked, &previous_);
-    }
-    ~SignalsBlocked() {
-        pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
-    }
-
-private:
-    sigset_t previous_;
-#else
-    SignalsBlocked() = default;
-#endif
-public:
-    SignalsBlocked(const SignalsBlocked&) = delete;
-    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-};
 
 thread_local bool isWorker = false;
 

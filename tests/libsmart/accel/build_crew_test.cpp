@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <csignal>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -40,6 +41,20 @@ TEST(BuildCrew, WorksAtTheSameTime) {
         while (arrived < 2) std::this_thread::yield();
     });
     EXPECT_EQ(arrived, 2);
+}
+
+TEST(BuildCrew, SignalsAreLeftToTheApplicationsThreads) {
+    BuildCrew crew(2);
+    std::atomic<int> arrived{0}, blocked{0};
+    crew.forEach(2, [&](std::size_t) { // one part on each thread
+        ++arrived;
+        while (arrived < 2) std::this_thread::yield();
+        sigset_t mask;
+        pthread_sigmask(SIG_BLOCK, nullptr, &mask);
+        blocked += sigismember(&mask, SIGUSR1);
+        EXPECT_FALSE(sigismember(&mask, SIGSEGV));
+    });
+    EXPECT_EQ(blocked, 1);
 }
 
 TEST(BuildCrew, WhatAPartThrowsReachesTheCallerAndTheCrewGoesOn) {
