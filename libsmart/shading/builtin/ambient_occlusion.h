@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "libsmart/shading/builtin/indirect.h"
+#include "libsmart/shading/builtin/sample_limit.h"
 
 namespace smart::builtin {
 
@@ -12,7 +14,7 @@ namespace smart::builtin {
 /// an even sky that reaches the point. Zhukov et al., "An ambient light illumination model",
 /// Eurographics Workshop on Rendering, 1998.
 struct AmbientOcclusion {
-    int samples = 16; ///< less than 1 counts as 1
+    int samples = 16; ///< 1 to 4096; others count as the nearest of these
     float distance = std::numeric_limits<float>::infinity();
     Color color{1.0f};
 
@@ -26,7 +28,7 @@ struct AmbientOcclusion {
     template <class Context>
     void shade(Context& c) const {
         using Float = typename Context::Float;
-        const RTuint n = samples > 1 ? RTuint(samples) : 1u;
+        const auto n = RTuint(std::clamp(samples, 1, kMaxSamples));
         const Strata strata(n);
         const auto normal = c.facingNormal(), side = c.facingGeometricNormal();
         typename Context::Color open;

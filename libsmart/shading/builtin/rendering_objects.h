@@ -2,6 +2,9 @@
 // Built-in rendering objects: which camera rays make a pixel.
 #pragma once
 
+#include <algorithm>
+
+#include "libsmart/shading/builtin/sample_limit.h"
 #include "openrt/shader.hpp"
 
 namespace smart::builtin {
@@ -25,8 +28,8 @@ struct Default {
 /// low sampling densities", SIGGRAPH 1987.
 struct Antialias {
     float contrast = 0.1f; ///< 0 to 1
-    int minSamples = 4;    ///< less than 2 counts as 2
-    int maxSamples = 16;   ///< less than minSamples counts as that
+    int minSamples = 4;    ///< 2 to 4096; others count as the nearest of these
+    int maxSamples = 16;   ///< minSamples to 4096; likewise
 
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<float>("contrast", PER_SHADER, offsetof(Antialias, contrast));
@@ -34,8 +37,8 @@ struct Antialias {
         r.registerParam<int>("maxSamples", PER_SHADER, offsetof(Antialias, maxSamples));
     }
     Color renderPixel(PixelContext& pixel) const {
-        const RTuint least = minSamples > 2 ? RTuint(minSamples) : 2u;
-        const RTuint most = maxSamples > int(least) ? RTuint(maxSamples) : least;
+        const auto least = RTuint(std::clamp(minSamples, 2, kMaxSamples));
+        const auto most = RTuint(std::clamp(maxSamples, int(least), kMaxSamples));
         Vec4 sum;
         Color low, high;
         RTuint taken = 0;
@@ -67,13 +70,14 @@ private:
 /// it darkens where many reflections matter: raise it), and by Russian roulette where their share
 /// of the pixel is small, which darkens nothing; the weight cut-off does not act on them.
 struct PathTracer {
-    int samples = 0; ///< less than 1: what rtSamples asks for
+    int samples = 0; ///< at most 4096; less than 1: what rtSamples asks for
 
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<int>("samples", PER_SHADER, offsetof(PathTracer, samples));
     }
     Color renderPixel(PixelContext& pixel) const {
-        const RTuint asked = samples > 0 ? RTuint(samples) : pixel.samples();
+        const RTuint asked =
+            samples > 0 ? RTuint(std::min(samples, kMaxSamples)) : pixel.samples();
         const RTuint n = asked > 1 ? asked : 1u;
         Vec4 sum;
         for (RTuint i = 0; i < n; ++i) sum = sum + pixel.tracePath(pixel.samplePosition(i, n));
