@@ -59,9 +59,12 @@ std::size_t InstanceTraits::hash() const {
     };
     for (const void* pointer : {static_cast<const void*>(model.get()),
                                 static_cast<const void*>(state.get()),
-                                static_cast<const void*>(inherited.materials.get())})
+                                static_cast<const void*>(inherited.materials.get()),
+                                static_cast<const void*>(inherited.moreTexCoords.get())})
         mix(uint64_t(reinterpret_cast<uintptr_t>(pointer)));
-    if (replacement) mix(replacement->all ? replacement->allBy : ~uint64_t(0));
+    if (replacement && replacement->all) mix(replacement->allBy);
+    if (replacement)
+        for (const auto& [replaced, by] : replacement->pairs) mix(uint64_t(replaced) << 32 | by);
     for (int k = 0; k < 4; ++k) {
         mix(std::bit_cast<uint32_t>(inherited.color[k]));
         mix(std::bit_cast<uint32_t>(inherited.texCoord[k]));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "libsmart/geometry/model_builder.h"
@@ -101,6 +102,18 @@ TEST_F(InstanceListTest, ColoursAreToldApartToTheBit) {
         list.add(instance);
     }
     EXPECT_EQ(list.traits().size(), 4u);
+}
+
+TEST_F(InstanceListTest, ReplacementsByPairsHaveManyHashes) {
+    std::set<std::size_t> hashes;
+    Instance instance = any();
+    for (uint32_t by = 0; by < 1000; ++by) {
+        auto replacement = std::make_shared<ShaderReplacement>();
+        replacement->pairs = {{1, by}, {2, 3}};
+        instance.replacement = std::move(replacement);
+        hashes.insert(instance.hash());
+    }
+    EXPECT_EQ(hashes.size(), 1000u);
 }
 
 } // namespace
