@@ -70,6 +70,7 @@ void callLists(Context& c, RTsizei n, RTenum type, const std::byte* names) {
     if (!sizeOfNames(type)) throwError(ErrorCode::InvalidEnum, "not a type of list names");
     if (n > 0) requirePointer(names, "lists");
     const uint32_t base = c.lists().base();
+    const auto held = currentContextShared(); // an error callback may end it
     for (RTsizei i = 0; i < n; ++i)
         replayList(c, base + offsetAt(type, names, std::size_t(i)));
 }

@@ -69,10 +69,15 @@ RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const
     guarded(__func__, [&](Context& c) {
         if (n < 0) throwError(ErrorCode::InvalidValue, "n is negative");
         if (n > 0) requirePointer(shaders, "shaders");
+        ListRecording* const list = c.lists().recording();
+        // Before they are read: there may be no memory behind a number that is too large. A list may
+        // be called when there is the object.
+        if ((!list || c.recorder().hasObject(object)) &&
+            std::size_t(n) > c.recorder().objectShaders(object).size())
+            throwError(ErrorCode::InvalidValue, "the object has fewer shaders");
         const auto body = [object, kept = std::vector(shaders, shaders + n)](Context& context) {
             context.recorder().instantiateWithShaders(object, kept);
         };
-        ListRecording* const list = c.lists().recording();
         if (list && !keepIn(*list, ListOp::Call, "rtInstantiateObjectShaders", 0, body)) return;
         body(c);
     });

@@ -35,6 +35,8 @@ bool keep(ListRecording& list, const char* function, RTuint handle, RTStype type
 void set(const char* function, RTuint handle, RTStype type, const void* data,
          std::size_t bytes) noexcept {
     guarded(function, [&](Context& c) {
+        if (bytes > ShaderClass::kMaxBlock)
+            throwError(ErrorCode::InvalidOperation, "no parameter has so many bytes");
         const std::span value(static_cast<const std::byte*>(data), bytes);
         if (ListRecording* const list = c.lists().recording())
             if (!keep(*list, function, handle, type, value)) return;

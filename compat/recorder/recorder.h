@@ -120,6 +120,7 @@ public:
     void instantiateWithShaders(uint32_t id, std::span<const uint32_t> shaders);
     /// Ids of the shaders of an object in order of first use.
     const std::vector<UsedShader>& objectShaders(uint32_t id) const;
+    bool hasObject(uint32_t id) const { return objects_.contains(id); }
 
     // Runs of primitives of display lists, each an object without an id.
     /// Whether runs can be placed here and now; else their calls are to be made one by one.

@@ -13,7 +13,6 @@ namespace smart {
 
 namespace {
 
-constexpr std::size_t kMaxBlock = 1u << 20;
 constexpr std::size_t kMaxParameters = 4096;
 /// Bytes of the descriptor as it first was; what was added at its end since then is optional.
 constexpr std::size_t kFirstDescriptor = offsetof(RTshaderclass, shadePacket);
@@ -71,7 +70,7 @@ void checkFunctions(const RTshaderclass& d, const std::string& name) {
 }
 
 void checkBlocks(const RTshaderclass& d, const std::string& name) {
-    if (d.shaderSize > kMaxBlock || d.triangleSize > kMaxBlock)
+    if (d.shaderSize > ShaderClass::kMaxBlock || d.triangleSize > ShaderClass::kMaxBlock)
         refuse(name, "a parameter block is larger than 1 MiB");
     if (d.vertexSize > kMaxVertexBlock)
         refuse(name, "the per-vertex block holds more than 256 floats");

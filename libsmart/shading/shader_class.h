@@ -20,6 +20,9 @@ inline constexpr std::size_t kBlockAlignment = 16; ///< of per-triangle and per-
 /// A class of shaders: a copy of its descriptor, and whatever keeps its code loaded. Immutable.
 class ShaderClass {
 public:
+    /// Bytes of a shader's or triangle's parameters together.
+    static constexpr std::size_t kMaxBlock = std::size_t(1) << 20;
+
     /// Checks the descriptor (sizes, version, kind, functions that the kind needs, parameters
     /// inside their blocks, sizes that fit the types, unique names) and asks it for its defaults;
     /// throws Error with the reason. `module` is released after the class.

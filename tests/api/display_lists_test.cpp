@@ -408,4 +408,28 @@ TEST_F(DisplayLists, CallsWithErrorsAreTheOnlyOnesThatDoNothing) {
     EXPECT_GT(drawn(), kSize);
 }
 
+TEST_F(DisplayLists, ValuesThatNoParameterHasAreNotRead) {
+    const RTuint list = rtGenLists(1);
+    const RTuint value = 0;
+    rtNewList(list, RT_COMPILE);
+    rtParameterRaw(1, &value, 0xFFFFFFFFu);
+    rtEndList();
+    EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_OPERATION));
+}
+
+TEST_F(DisplayLists, AnErrorCallbackMayEndTheContextBetweenTwoLists) {
+    const RTcontext own = rtGetCurrentContext(), other = rtCreateContext();
+    rtMakeCurrent(other);
+    rtNewList(1, RT_COMPILE);
+    rtEnd();
+    rtEndList();
+    rtErrorCallback([](RTenum, const char*, const char*,
+                       void*) { rtDestroyContext(rtGetCurrentContext()); },
+                    nullptr);
+    const RTuint names[] = {1, 1};
+    rtCallLists(2, RT_UNSIGNED_INT, names);
+    EXPECT_EQ(rtGetCurrentContext(), nullptr);
+    rtMakeCurrent(own);
+}
+
 } // namespace

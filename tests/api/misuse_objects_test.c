@@ -54,6 +54,9 @@ static RTuint reshadeSetTooMany(void) {
     const RTuint shaders[3] = {ids.surface, ids.surface, ids.surface};
     return rtInstantiateObjectShaders(ids.object, 3, shaders), 0u;
 }
+static RTuint reshadeSetFarTooMany(void) {
+    return rtInstantiateObjectShaders(ids.object, 500000000, &ids.surface), 0u;
+}
 static RTuint reshadeSetNegative(void) {
     return rtInstantiateObjectShaders(ids.object, -1, &ids.surface), 0u;
 }
@@ -113,6 +116,7 @@ int main(void) {
         MISUSE(reshadeUnknownShader, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(reshadeByLight, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(reshadeSetTooMany, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(reshadeSetFarTooMany, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(reshadeSetNegative, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(reshadeSetNull, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(reshadeSetByLight, OUTSIDE, RT_INVALID_OPERATION),
