@@ -46,7 +46,7 @@ class Trace(unittest.TestCase):
         source.write_text(result.stdout)
         program = self.folder / "program"
         library = pathlib.Path(ARGUMENTS.library)
-        result = run(ARGUMENTS.compiler, "-std=c99", "-O0",
+        result = run(ARGUMENTS.compiler, "-std=c99", "-O0", *ARGUMENTS.flags.split(),
                      *[f"-I{folder}" for folder in ARGUMENTS.include], source, "-o", program,
                      library, f"-Wl,-rpath,{library.parent}", "-lm")
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -162,6 +162,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("--trace", "--compiler", "--library", "--program"):
         parser.add_argument(name, required=True)
+    parser.add_argument("--flags", default="", help="those that the library is compiled with")
     parser.add_argument("--include", action="append", default=[])
     parser.add_argument("--ports", nargs="*", default=[])
     global ARGUMENTS
