@@ -174,11 +174,15 @@ void App::runOnScreen() {
 }
 
 void App::removeClosedWindows() {
-    std::erase_if(windows_, [&](const std::unique_ptr<Window>& window) {
-        if (window->isAlive()) return false;
-        if (current_ == window.get()) current_ = nullptr;
-        return true;
-    });
+    const auto isClosed = [](const std::unique_ptr<Window>& window) { return !window->isAlive(); };
+    if (std::none_of(windows_.begin(), windows_.end(), isClosed)) return;
+    Window* const current = current_ && current_->isAlive() ? current_ : nullptr;
+    const RTcontext context = rtGetCurrentContext();
+    for (const auto& window : windows_)
+        if (isClosed(window)) window->finish();
+    current_ = current;
+    if (rtGetCurrentContext() != context) rtMakeCurrent(context);
+    std::erase_if(windows_, isClosed);
 }
 
 } // namespace rtut

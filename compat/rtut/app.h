@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -29,6 +30,10 @@ public:
     void setCurrent(Window* window) { current_ = window; }
     /// nullptr: there is none of that number.
     Window* find(int id) const;
+    /// Stays where it is until it is forgotten.
+    FrameMemory& frameMemory(RTcontext context) { return frameMemory_[context]; }
+    /// After the context's end.
+    void forgetFrameMemory(RTcontext context) { frameMemory_.erase(context); }
 
     // Time, in milliseconds.
     int elapsed() const;
@@ -68,6 +73,7 @@ private:
 
     bool started_ = false, leaving_ = false;
     Options options_;
+    std::map<RTcontext, FrameMemory> frameMemory_;
     std::vector<std::unique_ptr<Window>> windows_;
     Window* current_ = nullptr;
     int lastWindow_ = 0, modifiers_ = 0;

@@ -8,6 +8,7 @@ namespace rtut {
 
 struct Size {
     int width, height;
+    bool operator==(const Size&) const = default;
 };
 struct Place {
     int x, y;

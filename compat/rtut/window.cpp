@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "compat/rtut/window.h"
 
+#include <utility>
+
 #include "compat/rtut/app.h"
 #include "openrt/rt.h"
 #include "openrt/rtut_enums.h"
@@ -9,11 +11,15 @@ namespace rtut {
 
 void FrameChain::resize(Size size) {
     finish();
-    for (Picture& picture : pictures_) {
-        const std::size_t pixels = std::size_t(size.width) * std::size_t(size.height);
-        picture.rgba.assign(pixels * 4, 0);
-        if (!app().options().depth.empty()) picture.depth.assign(pixels, 1.0f);
-        picture.size = size;
+    const std::size_t pixels = std::size_t(size.width) * std::size_t(size.height);
+    for (Picture& picture : memory_.pictures) {
+        const bool hadDepth = !picture.depth.empty(); // then the context has its address
+        const bool hasDepth = hadDepth || !app().options().depth.empty();
+        if (picture.size == size && hasDepth == hadDepth) continue;
+        Picture sized{size, std::vector<uint8_t>(pixels * 4),
+                      std::vector<float>(hasDepth ? pixels : 0, 1.0f)};
+        memory_.former.push_back(std::move(picture));
+        picture = std::move(sized);
     }
     usePicture();
 }
@@ -29,7 +35,7 @@ bool FrameChain::queue() {
 }
 
 void FrameChain::usePicture() {
-    Picture& next = pictures_[described_];
+    Picture& next = memory_.pictures[described_];
     rtSetFrameBuffer(next.rgba.data(), RTuint(next.size.width), RTuint(next.size.height),
                      RT_RGBA_8);
     if (!next.depth.empty()) rtSetAuxBuffer(RT_DEPTH, next.depth.data(), RT_FLOAT);
@@ -37,9 +43,10 @@ void FrameChain::usePicture() {
 
 void FrameChain::finish() {
     if (!isUnderWay()) return;
-    rtWaitFrame(underWay_);
+    // Frames end in order: when this one is done, none is rendered to former memory any more.
+    if (rtWaitFrame(underWay_)) memory_.former.clear();
     underWay_ = RT_INVALID;
-    audience_.take(pictures_[1 - described_]);
+    audience_.take(memory_.pictures[1 - described_]);
 }
 
 void FrameChain::finishIfDone() {
@@ -54,12 +61,13 @@ Window::Window(int id, RTcontext context, bool ownsContext, unsigned mode, Size 
       id_(id),
       context_(context),
       ownsContext_(ownsContext),
-      frames_(*this) {}
+      frames_(*this, app().frameMemory(context)) {}
 
 Window::~Window() {
     if (!ownsContext_) return;
     const RTcontext current = rtGetCurrentContext();
     rtDestroyContext(context_);
+    app().forgetFrameMemory(context_);
     if (current != context_) rtMakeCurrent(current);
 }
 
@@ -150,7 +158,7 @@ void Window::call(void (*function)(Parameters...), int modifiers, Arguments... a
 }
 
 void Window::resized(Size pixels) {
-    if (pixels.width == size.width && pixels.height == size.height) return;
+    if (pixels == size) return;
     size = pixels;
     reshape_ = true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "compat/rtut/picture.h"
 #include "compat/rtut/screen.h"
@@ -34,11 +35,18 @@ protected:
     ~Audience() = default;
 };
 
+/// What the frames of a context are rendered to. Lives as long as the context, which keeps its
+/// address: the application may start frames of its own, also after the window's end.
+struct FrameMemory {
+    Picture pictures[2];
+    std::vector<Picture> former; ///< of other sizes; frames in flight may be rendered to them
+};
+
 /// The frames of a window: one is rendered while the next is described. Acts on the current
 /// context.
 class FrameChain {
 public:
-    explicit FrameChain(Audience& audience) : audience_(audience) {}
+    FrameChain(Audience& audience, FrameMemory& memory) : audience_(audience), memory_(memory) {}
 
     /// Delivers what is under way; later frames have the new size.
     void resize(Size size);
@@ -55,7 +63,7 @@ private:
     void usePicture();
 
     Audience& audience_;
-    Picture pictures_[2];
+    FrameMemory& memory_;
     int described_ = 0; ///< which of them the next frame is rendered to
     RTuint underWay_ = RT_INVALID;
 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A program of the kind that gets ported, in C99: prints what is called, and when. Its argument
  * says what is special: "single", "idle", "silent" (never swaps), "leave", "two" windows, "huge",
- * "leftout". */
+ * "leftout", "close" (after the first frame). */
 #include <openrt/rt.h>
 #include <openrt/rtut.h>
 #include <stdio.h>
@@ -36,6 +36,7 @@ static void onDisplay(void) {
     if (is("leave")) rtutPostRedisplay();
     if (is("leave") && frame == 2) rtutLeaveMainLoop();
     if (!is("silent")) rtutSwapBuffers();
+    if (is("close")) rtutDestroyWindow(rtutGetWindow());
 }
 
 static void onTimer(int value) {

@@ -148,6 +148,12 @@ class Offscreen(unittest.TestCase):
         self.assertEqual(shown, [("0", "1"), ("0", "2"), ("40", "1"), ("40", "2")])
         self.assertEqual(len(list(self.folder.iterdir())), 4)
 
+    def test_a_closed_window_delivers_its_frame(self):
+        result = run("close", "--rt-offscreen", "9", "--rt-output", "frame%03d.png",
+                     folder=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.check_frames(1)
+
     def test_no_swap_ends_with_a_message(self):
         result = run("silent", "--rt-offscreen", "2")
         self.assertEqual(result.returncode, 1)
