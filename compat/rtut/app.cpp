@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 
 #include "openrt/rt.h"
 #include "openrt/rtut_enums.h"
@@ -64,24 +65,27 @@ int App::elapsed() const {
 
 void App::addTimer(unsigned milliseconds, void (*callback)(int), int value) {
     constexpr unsigned kLongest = 1u << 30;
-    timers_.push_back(
-        {elapsed() + int(std::min(milliseconds, kLongest)), ++lastTimer_, callback, value});
+    timers_.push_back({elapsed() + int(std::min(milliseconds, kLongest)), ++lastTimer_,
+                       milliseconds == 0, callback, value});
 }
 
 /// Those due until now, earliest first; off-screen each at its time.
 void App::callTimers(int now) {
     const uint64_t newest = lastTimer_;
+    // One of no time that a timer asks for waits for the next round: it may be the same again.
+    const auto waits = [&](const Timer& timer) {
+        return timer.due > now || (timer.isAtOnce && timer.number > newest);
+    };
     while (!leaving_) {
         const auto next =
-            std::min_element(timers_.begin(), timers_.end(), [](const Timer& a, const Timer& b) {
-                return a.due != b.due ? a.due < b.due : a.number < b.number;
+            std::min_element(timers_.begin(), timers_.end(), [&](const Timer& a, const Timer& b) {
+                return std::tuple(waits(a), a.due, a.number) <
+                       std::tuple(waits(b), b.due, b.number);
             });
-        if (next == timers_.end() || next->due > now) break;
-        // One of no time that asks for itself again waits for the next round.
-        if (next->number > newest && next->due == now) break;
+        if (next == timers_.end() || waits(*next)) break;
         const Timer timer = *next;
         timers_.erase(next);
-        fixedTime_ = timer.due;
+        fixedTime_ = std::max(fixedTime_, timer.due); // what has waited is due in the past
         timer.callback(timer.value);
     }
     fixedTime_ = now;

@@ -60,6 +60,7 @@ private:
     struct Timer {
         int due;
         uint64_t number;
+        bool isAtOnce; ///< of no time
         void (*callback)(int);
         int value;
     };

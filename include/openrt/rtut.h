@@ -120,8 +120,8 @@ RTAPI void RTAPIENTRY rtutEntryFunc(void (*callback)(int state));
 RTAPI void RTAPIENTRY rtutVisibilityFunc(void (*callback)(int state));
 RTAPI void RTAPIENTRY rtutWindowStatusFunc(void (*callback)(int state));
 
-/* Of the program. A timer is called once, at the earliest after so many milliseconds.
- * Since: 0.1 */
+/* Of the program. A timer is called once, at the earliest after so many milliseconds; one of 0
+ * milliseconds that is asked for by a timer, in the next round of the main loop. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutIdleFunc(void (*callback)(void));
 RTAPI void RTAPIENTRY rtutTimerFunc(unsigned int milliseconds, void (*callback)(int value),
                                     int value);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A program of the kind that gets ported, in C99: prints what is called, and when. Its argument
  * says what is special: "single", "idle", "silent" (never swaps), "leave", "two" windows, "huge",
- * "leftout", "close" (after the first frame). */
+ * "leftout", "close" (after the first frame), "restless" (timers without time). */
 #include <openrt/rt.h>
 #include <openrt/rtut.h>
 #include <stdio.h>
@@ -43,6 +43,12 @@ static void onTimer(int value) {
     printf("timer %d at %d\n", value, now());
     if (value < 3) rtutTimerFunc(30, onTimer, value + 1);
 }
+/* Asks for itself again at once, and at 30 ms for a timer at 40 ms. */
+static void onRestlessTimer(int value) {
+    printf("restless %d at %d\n", value, now());
+    if (value == 0) rtutTimerFunc(10, onRestlessTimer, -1);
+    if (value >= 0) rtutTimerFunc(0, onRestlessTimer, value + 1);
+}
 static void onIdle(void) { printf("idle at %d\n", now()); }
 static void onVisibility(int state) { printf("visibility %d\n", state); }
 
@@ -59,6 +65,7 @@ int main(int argc, char **argv) {
     rtutReshapeFunc(onReshape);
     rtutVisibilityFunc(onVisibility);
     rtutTimerFunc(30, onTimer, 1);
+    if (is("restless")) rtutTimerFunc(30, onRestlessTimer, 0);
     if (is("idle")) rtutIdleFunc(onIdle);
     if (is("two")) {
         rtutCreateWindow("another window");

@@ -140,6 +140,14 @@ class Offscreen(unittest.TestCase):
             "reshape 16 16", "visibility 1", "idle at 0", "display 0 at 0 in 1", "timer 1 at 30",
             "idle at 40", "display 1 at 40 in 1"])
 
+    def test_a_timer_without_time_comes_once_a_frame(self):
+        result = run("restless", "--rt-offscreen", "4")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        shown = re.findall(r"(display \d|restless -?\d) at (\d+)", result.stdout)
+        self.assertEqual(shown, [
+            ("display 0", "0"), ("restless 0", "30"), ("restless -1", "40"), ("display 1", "40"),
+            ("restless 1", "40"), ("display 2", "80"), ("restless 2", "80"), ("display 3", "120")])
+
     def test_two_windows(self):
         result = run("two", "--rt-offscreen", "4", "--rt-output", "frame%03d.png",
                      folder=self.folder)
