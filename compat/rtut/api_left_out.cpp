@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What GLUT has and this release has not: each call says so once and does nothing else.
+#include <string>
+
 #include "compat/rtut/messages.h"
 #include "openrt/rtut.h"
 
 namespace {
 
 void leftOut(const char* function, const char* what) noexcept {
-    rtut::tellOnce(function, std::string(what) + " not part of this release");
+    rtut::guarded(function, [&] {
+        rtut::tellOnce(function, (std::string(what) + " not part of this release").c_str());
+    });
 }
 void noMenus(const char* function) { leftOut(function, "menus are"); }
 void noOverlays(const char* function) { leftOut(function, "overlays are"); }

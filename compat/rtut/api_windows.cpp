@@ -2,7 +2,7 @@
 // Start, windows, callbacks, main loop.
 #include <cstdlib>
 #include <cstring>
-#include <string>
+#include <new>
 
 #include "compat/rtut/app.h"
 #include "openrt/rt.h"
@@ -67,7 +67,15 @@ RTAPI void RTAPIENTRY rtutInitWindowSize(int width, int height) {
         startedApp().initialSize = {width, height};
 }
 
-RTAPI void RTAPIENTRY rtutMainLoop(void) { startedApp().run(); }
+RTAPI void RTAPIENTRY rtutMainLoop(void) {
+    try {
+        startedApp().run();
+    } catch (const std::bad_alloc&) {
+        endProgram(1, "out of memory");
+    } catch (...) {
+        endProgram(1, "an exception left a callback");
+    }
+}
 RTAPI void RTAPIENTRY rtutLeaveMainLoop(void) { startedApp().leave(); }
 RTAPI const char* RTAPIENTRY rtutGetErrorText(void) { return newestMessage(); }
 

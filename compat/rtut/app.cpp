@@ -22,9 +22,13 @@ App& app() {
     return *only;
 }
 
-App& startedApp() {
-    if (!app().isStarted()) app().start(nullptr, nullptr);
-    return app();
+App& startedApp() noexcept {
+    try {
+        if (!app().isStarted()) app().start(nullptr, nullptr);
+        return app();
+    } catch (...) {
+        endProgram(1, "out of memory");
+    }
 }
 
 void App::start(int* argcp, char** argv) {
@@ -32,7 +36,7 @@ void App::start(int* argcp, char** argv) {
     started_ = true;
     std::string problem;
     const Options options = takeArguments(argcp, argv, problem);
-    if (!problem.empty()) endProgram(2, problem);
+    if (!problem.empty()) endProgram(2, problem.c_str());
     if (windows_.empty()) options_ = options;
     if (options.initialSize) initialSize = *options.initialSize;
     if (options.initialPlace) initialPlace = *options.initialPlace;
@@ -103,7 +107,7 @@ void App::writeFrame(const Picture& picture) {
         if (pattern.empty()) return;
         const std::string path = frameFile(pattern, number);
         const std::string problem = writePicture(path, picture);
-        if (!problem.empty()) endProgram(1, path + ": " + problem);
+        if (!problem.empty()) endProgram(1, (path + ": ").c_str(), problem.c_str());
     };
     write(options_.output, writePng);
     write(options_.depth, writePfm);

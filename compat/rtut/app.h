@@ -87,7 +87,7 @@ private:
 
 /// Lives until the process ends.
 App& app();
-/// The same, started.
-App& startedApp();
+/// The same, started; without memory for it the program ends.
+App& startedApp() noexcept;
 
 } // namespace rtut

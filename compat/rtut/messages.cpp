@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <set>
+#include <string>
 
 namespace rtut {
 
@@ -13,12 +14,12 @@ char newest[256] = "";
 
 } // namespace
 
-void tell(const char* function, const std::string& text) noexcept {
-    std::snprintf(newest, sizeof newest, "%s: %s", function, text.c_str());
+void tell(const char* function, const char* text) noexcept {
+    std::snprintf(newest, sizeof newest, "%s: %s", function, text);
     std::fprintf(stderr, "rtut: %s\n", newest);
 }
 
-void tellOnce(const char* function, const std::string& text) noexcept {
+void tellOnce(const char* function, const char* text) noexcept {
     try {
         static std::set<std::string> told;
         if (told.insert(function).second) tell(function, text);
@@ -29,8 +30,8 @@ void tellOnce(const char* function, const std::string& text) noexcept {
 
 const char* newestMessage() noexcept { return newest; }
 
-void endProgram(int status, const std::string& text) {
-    std::fprintf(stderr, "rtut: %s\n", text.c_str());
+void endProgram(int status, const char* text, const char* detail) noexcept {
+    std::fprintf(stderr, "rtut: %s%s\n", text, detail);
     std::exit(status);
 }
 

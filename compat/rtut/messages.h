@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 namespace rtut {
 
 /// Tells on stderr and in rtutGetErrorText.
-void tell(const char* function, const std::string& text) noexcept;
+void tell(const char* function, const char* text) noexcept;
 /// The same, the first time only that this function says so.
-void tellOnce(const char* function, const std::string& text) noexcept;
+void tellOnce(const char* function, const char* text) noexcept;
 const char* newestMessage() noexcept;
 
 /// Tells and ends the program.
-[[noreturn]] void endProgram(int status, const std::string& text);
+[[noreturn]] void endProgram(int status, const char* text, const char* detail = "") noexcept;
 
 /// Runs body; an exception becomes a message.
 template <class Body>

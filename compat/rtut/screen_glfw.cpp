@@ -22,7 +22,7 @@ void startGlfw() {
         glfwSetErrorCallback([](int, const char* text) { lastError = text; });
         return glfwInit() == GLFW_TRUE;
     }();
-    if (!started) endProgram(1, "there is no display: " + lastError);
+    if (!started) endProgram(1, "there is no display: ", lastError.c_str());
 }
 
 int modifiersOf(int mods) {
@@ -86,7 +86,7 @@ public:
         : events_(events) {
         glfwDefaultWindowHints();
         window_ = glfwCreateWindow(size.width, size.height, title, nullptr, nullptr);
-        if (!window_) endProgram(1, "no window can be opened: " + lastError);
+        if (!window_) endProgram(1, "no window can be opened: ", lastError.c_str());
         if (place) glfwSetWindowPos(window_, place->x, place->y);
         glfwSetWindowUserPointer(window_, this);
         listen();

@@ -64,8 +64,8 @@ RTAPI void RTAPIENTRY rtutInitWindowSize(int width, int height);
 
 /* Calls callbacks until the last window is closed or rtutLeaveMainLoop is called. Then the
  * contexts end and so does the program, exit status 0: it never returns, but after
- * rtutLeaveMainLoop it does. A window without a display callback: message and exit status 1.
- * Since: 0.1 */
+ * rtutLeaveMainLoop it does. A window without a display callback, a lack of memory, an exception that
+ * leaves a callback: message and exit status 1. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutMainLoop(void);
 RTAPI void RTAPIENTRY rtutLeaveMainLoop(void);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The memory that windows' frames are rendered to: it lives while a frame or the context may use
-// it, and no longer. This program replaces operator new, to see the blocks that are pictures.
+// it, and no longer; what happens without memory. This program replaces operator new.
 #include <gtest/gtest.h>
 #include <openrt/rt.h>
 #include <openrt/rtut.h>
@@ -43,8 +43,11 @@ struct Pictures {
 };
 constinit Pictures pictures;
 
+constexpr std::size_t kNone = ~std::size_t(0);
+std::size_t refusedFrom = kNone; ///< blocks of so many bytes there are not
+
 void* allocated(std::size_t bytes) {
-    void* const block = std::malloc(bytes ? bytes : 1);
+    void* const block = bytes < refusedFrom ? std::malloc(bytes ? bytes : 1) : nullptr;
     if (!block) throw std::bad_alloc();
     for (const int size : {kSize, kOtherSize})
         if (bytes == bytesOf(size)) pictures.replace(nullptr, block, size);
@@ -92,11 +95,15 @@ private:
 int displays, window;
 Gate* gate;
 
-void openWindow(void (*display)()) {
+void start() {
     char name[] = "test", option[] = "--rt-offscreen", frames[] = "1000";
     char* arguments[] = {name, option, frames, nullptr};
     int count = 3;
     rtutInit(&count, arguments);
+}
+
+void openWindow(void (*display)()) {
+    start();
     rtutInitDisplayMode(RTUT_DOUBLE);
     rtutInitWindowSize(kSize, kSize);
     window = rtutCreateWindow("");
@@ -147,6 +154,40 @@ TEST(FrameMemory, livesWhileAFrameOfTheApplicationIsRenderedToIt) {
     EXPECT_EQ(pictures.count(kSize), 0);
     EXPECT_EQ(pictures.count(kOtherSize), 2);
     EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+}
+
+TEST(FrameMemory, aWindowWithoutMemoryEndsTheProgram) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [] {
+        openWindow([] {
+            refusedFrom = bytesOf(kOtherSize);
+            rtutReshapeWindow(kOtherSize, kOtherSize);
+            rtutSwapBuffers();
+        });
+        rtutMainLoop();
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(1), "rtut: out of memory");
+}
+
+TEST(Messages, needNoMemory) {
+    start();
+    refusedFrom = 0;
+    rtutInitWindowSize(-1, 0);
+    rtutInitDisplayMode(RTUT_INDEX);
+    rtutCreateMenu(nullptr);
+    const int value = rtutGet(12345);
+    refusedFrom = kNone;
+    EXPECT_EQ(value, -1);
+    EXPECT_STREQ(rtutGetErrorText(), "rtutGet: an unknown query");
+}
+
+TEST(Exceptions, thatLeaveACallbackEndTheProgram) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [] {
+        openWindow([] { throw 1; });
+        rtutMainLoop();
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(1), "rtut: an exception left a callback");
 }
 
 } // namespace
