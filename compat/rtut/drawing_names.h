@@ -26,7 +26,13 @@ typedef GLUquadric RTUquadric;
 #    define RT_POLYGON_BIT GL_POLYGON_BIT
 #    define RT_NORMALIZE GL_NORMALIZE
 #    define RT_FRONT_AND_BACK GL_FRONT_AND_BACK
+#    define RT_FRONT GL_FRONT
+#    define RT_BACK GL_BACK
 #    define RT_LINE GL_LINE
+#    define RT_FILL GL_FILL
+#    define RT_POLYGON_MODE GL_POLYGON_MODE
+#    define RT_ATTRIB_STACK_DEPTH GL_ATTRIB_STACK_DEPTH
+#    define RT_MAX_ATTRIB_STACK_DEPTH GL_MAX_ATTRIB_STACK_DEPTH
 #    define RT_UNPACK_SWAP_BYTES GL_UNPACK_SWAP_BYTES
 #    define RT_UNPACK_LSB_FIRST GL_UNPACK_LSB_FIRST
 #    define RT_UNPACK_ROW_LENGTH GL_UNPACK_ROW_LENGTH
@@ -49,6 +55,8 @@ typedef GLUquadric RTUquadric;
 #    define rtPopAttrib glPopAttrib
 #    define rtPolygonMode glPolygonMode
 #    define rtEnable glEnable
+#    define rtDisable glDisable
+#    define rtIsEnabled glIsEnabled
 #    define rtBitmap glBitmap
 #    define rtGetIntegerv glGetIntegerv
 #    define rtPixelStorei glPixelStorei

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "compat/rtut/attributes_fit.h"
 #include "compat/rtut/drawing_names.h"
 
 /* ---- Sphere and cone: quadrics -------------------------------------------------------------- */
@@ -102,10 +103,20 @@ static void drawTorus(RTdouble tube, RTdouble ring, RTint sides, RTint rings) {
 
 RTAPI void RTAPIENTRY rtutWireTorus(RTdouble innerRadius, RTdouble outerRadius, RTint sides,
                                     RTint rings) {
-    rtPushAttrib(RT_POLYGON_BIT);
+    const int isPushed = attributesFit();
+    RTint modes[2] = {RT_FILL, RT_FILL};
+    if (isPushed)
+        rtPushAttrib(RT_POLYGON_BIT);
+    else
+        rtGetIntegerv(RT_POLYGON_MODE, modes);
     rtPolygonMode(RT_FRONT_AND_BACK, RT_LINE);
     drawTorus(innerRadius, outerRadius, sides, rings);
-    rtPopAttrib();
+    if (isPushed) {
+        rtPopAttrib();
+    } else {
+        rtPolygonMode(RT_FRONT, (RTenum)modes[0]);
+        rtPolygonMode(RT_BACK, (RTenum)modes[1]);
+    }
 }
 RTAPI void RTAPIENTRY rtutSolidTorus(RTdouble innerRadius, RTdouble outerRadius, RTint sides,
                                      RTint rings) {

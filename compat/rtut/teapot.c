@@ -5,6 +5,7 @@
  * CLOCKWISE from outside, normals point outwards. */
 #include <math.h>
 
+#include "compat/rtut/attributes_fit.h"
 #include "compat/rtut/drawing_names.h"
 
 enum { kPatches = 10, kRoundPatches = 6 };
@@ -161,9 +162,10 @@ static void drawWirePatch(Point points[4][4], int grid, double scale) {
 }
 
 static void drawTeapot(int grid, RTdouble size, void (*drawPatch)(Point[4][4], int, double)) {
+    const int isPushed = attributesFit(), wasEnabled = rtIsEnabled(RT_NORMALIZE);
     int patch, mirror;
     /* GLUT keeps the lengths of normals right whatever the matrix does. */
-    rtPushAttrib(RT_ENABLE_BIT);
+    if (isPushed) rtPushAttrib(RT_ENABLE_BIT);
     rtEnable(RT_NORMALIZE);
     for (patch = 0; patch < kPatches; ++patch) {
         Point points[4][4], image[4][4];
@@ -173,7 +175,10 @@ static void drawTeapot(int grid, RTdouble size, void (*drawPatch)(Point[4][4], i
             drawPatch(image, grid, size / 2);
         }
     }
-    rtPopAttrib();
+    if (isPushed)
+        rtPopAttrib();
+    else if (!wasEnabled)
+        rtDisable(RT_NORMALIZE);
 }
 
 RTAPI void RTAPIENTRY rtutWireTeapot(RTdouble size) { drawTeapot(10, size, drawWirePatch); }

@@ -54,6 +54,18 @@ struct Drawing {
 };
 Drawing drawing;
 
+/// What shapes may change while they draw.
+struct State {
+    RTenum polygonModes[2] = {RT_FILL, RT_POINT};
+    bool normalizes = false;
+    bool operator==(const State&) const = default;
+};
+constexpr std::size_t kMostAttributes = 3;
+State state;
+State pushed[kMostAttributes];
+std::size_t depth;
+int attributeErrors, pushes;
+
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point cross(const Point& a, const Point& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -78,10 +90,31 @@ void RTAPIENTRY rtVertex3d(RTdouble x, RTdouble y, RTdouble z) {
 void RTAPIENTRY rtNormal3d(RTdouble x, RTdouble y, RTdouble z) { drawing.normal = {x, y, z}; }
 void RTAPIENTRY rtNormal3f(RTfloat x, RTfloat y, RTfloat z) { drawing.normal = {x, y, z}; }
 void RTAPIENTRY rtTexCoord2d(RTdouble, RTdouble) {}
-void RTAPIENTRY rtPushAttrib(RTbitfield) {}
-void RTAPIENTRY rtPopAttrib(void) {}
-void RTAPIENTRY rtEnable(RTenum) {}
-void RTAPIENTRY rtPolygonMode(RTenum, RTenum) {}
+void RTAPIENTRY rtPushAttrib(RTbitfield) {
+    ++pushes;
+    if (depth < kMostAttributes)
+        pushed[depth++] = state;
+    else
+        ++attributeErrors;
+}
+void RTAPIENTRY rtPopAttrib(void) {
+    if (depth > 0)
+        state = pushed[--depth];
+    else
+        ++attributeErrors;
+}
+void RTAPIENTRY rtEnable(RTenum) { state.normalizes = true; }
+void RTAPIENTRY rtDisable(RTenum) { state.normalizes = false; }
+RTboolean RTAPIENTRY rtIsEnabled(RTenum) { return state.normalizes; }
+void RTAPIENTRY rtPolygonMode(RTenum face, RTenum mode) {
+    if (face != RT_BACK) state.polygonModes[0] = mode;
+    if (face != RT_FRONT) state.polygonModes[1] = mode;
+}
+void RTAPIENTRY rtGetIntegerv(RTenum name, RTint* values) {
+    if (name == RT_ATTRIB_STACK_DEPTH) *values = RTint(depth);
+    if (name == RT_MAX_ATTRIB_STACK_DEPTH) *values = RTint(kMostAttributes);
+    if (name == RT_POLYGON_MODE) std::copy_n(state.polygonModes, 2, values);
+}
 // Sphere and cone are quadrics, which have a test of their own.
 RTUquadric* RTAPIENTRY rtuNewQuadric(void) { return nullptr; }
 void RTAPIENTRY rtuDeleteQuadric(RTUquadric*) {}
@@ -225,6 +258,23 @@ TEST(Shapes, aTorusOfNoOrManySidesDoesNotHang) {
     EXPECT_TRUE(drawn([] { rtutSolidTorus(1, 2, 0, 5); }).triangles.empty());
     EXPECT_TRUE(drawn([] { rtutSolidTorus(1, 2, 5, -1); }).triangles.empty());
     EXPECT_EQ(drawn([] { rtutSolidTorus(1, 2, 1, 2147483647); }).triangles.size(), 2u * 4096);
+}
+
+TEST(Shapes, leaveTheAttributesAndTheirStackAsTheyWere) {
+    for (std::size_t before = 0; before <= kMostAttributes; ++before)
+        for (const bool normalizes : {false, true})
+            for (void (*const draw)() : {+[] { rtutWireTorus(1, 2, 4, 4); },
+                                         +[] { rtutWireTeapot(1); }, +[] { rtutSolidTeapot(1); }}) {
+                const State kept{{RT_FILL, RT_POINT}, normalizes};
+                state = kept;
+                depth = before;
+                attributeErrors = pushes = 0;
+                draw();
+                EXPECT_EQ(state, kept) << before;
+                EXPECT_EQ(depth, before);
+                EXPECT_EQ(attributeErrors, 0);
+                EXPECT_EQ(pushes, before < kMostAttributes); // display lists need it
+            }
 }
 
 TEST(Shapes, theTeapotIsNewells) {

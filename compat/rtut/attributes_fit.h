@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "compat/rtut/drawing_names.h"
+
+/* Whether attributes can be pushed. It is better than to restore them by hand: a display list that
+ * is compiled then restores what is so when it is called. */
+static inline int attributesFit(void) {
+    RTint depth = 0, most = 0;
+    rtGetIntegerv(RT_ATTRIB_STACK_DEPTH, &depth);
+    rtGetIntegerv(RT_MAX_ATTRIB_STACK_DEPTH, &most);
+    return depth < most;
+}
