@@ -5,6 +5,7 @@
 #include <openrt/rt.h>
 #include <openrt/rtut.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdlib>
 #include <mutex>
@@ -44,11 +45,11 @@ struct Pictures {
 constinit Pictures pictures;
 
 constexpr std::size_t kNone = ~std::size_t(0);
-std::size_t refusedFrom = kNone; ///< blocks of so many bytes there are not
+constinit std::atomic<std::size_t> refusedFrom{kNone}; ///< blocks of so many bytes there are not
 
-void* allocated(std::size_t bytes) {
+void* allocated(std::size_t bytes) noexcept {
     void* const block = bytes < refusedFrom ? std::malloc(bytes ? bytes : 1) : nullptr;
-    if (!block) throw std::bad_alloc();
+    if (!block) return nullptr;
     for (const int size : {kSize, kOtherSize})
         if (bytes == bytesOf(size)) pictures.replace(nullptr, block, size);
     return block;
@@ -61,6 +62,10 @@ void release(void* block) noexcept {
 } // namespace
 
 void* operator new(std::size_t bytes) {
+    if (void* const block = allocated(bytes)) return block;
+    throw std::bad_alloc();
+}
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
     return allocated(bytes);
 }
 void operator delete(void* block) noexcept {
