@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <stdexcept>
 #include <utility>
 
 #include "openrt/enums.h"
@@ -25,6 +27,14 @@ void withType(RTenum type, Visit&& visit) {
     case RT_INT: return visit(int32_t());
     default: return visit(float());
     }
+}
+
+std::size_t product(std::initializer_list<int> sizes) {
+    std::size_t result = 1;
+    for (const int size : sizes)
+        if (__builtin_mul_overflow(result, std::size_t(size), &result))
+            throw std::length_error("an image");
+    return result;
 }
 
 std::size_t rowBytes(std::size_t pixels, int components, std::size_t size, unsigned alignment) {
@@ -71,7 +81,8 @@ std::vector<Span> spansOf(int in, int out, Enlarging enlarging) {
         Span& span = spans.emplace_back();
         for (double at = low; at < high;) {
             const double next = std::floor(at) + 1;
-            span.emplace_back((int(std::floor(at)) % in + in) % in, std::min(next, high) - at);
+            span.emplace_back(int((int64_t(std::floor(at)) % in + in) % in),
+                              std::min(next, high) - at);
             at = next;
         }
     }
@@ -79,6 +90,10 @@ std::vector<Span> spansOf(int in, int out, Enlarging enlarging) {
 }
 
 } // namespace
+
+Image::Image(RTenum imageType, int imageComponents, int w, int h, int d)
+    : type(imageType), components(imageComponents), width(w), height(h), depth(d),
+      values(product({imageComponents, w, h, d})) {}
 
 int componentsOf(RTenum format) noexcept {
     switch (format) {
@@ -122,9 +137,9 @@ Image readImage(const void* data, RTenum type, int components, int width, int he
                         store.skipPixels * std::size_t(components) * size;
     withType(type, [&](auto number) {
         double* out = image.values.data();
-        for (int row = 0; row < height * depth; ++row) {
-            const std::byte* in = first + std::size_t(row) * stride;
-            for (int i = 0; i < width * components; ++i, in += size) {
+        for (std::size_t row = 0; row < image.rows(); ++row) {
+            const std::byte* in = first + row * stride;
+            for (std::size_t i = 0; i < image.valuesOfRow(); ++i, in += size) {
                 std::byte bytes[sizeof number];
                 std::memcpy(bytes, in, sizeof number);
                 if (store.swapBytes) std::reverse(bytes, bytes + sizeof number);
@@ -138,7 +153,7 @@ Image readImage(const void* data, RTenum type, int components, int width, int he
 
 std::size_t writtenBytes(const Image& image, unsigned alignment) {
     return rowBytes(std::size_t(image.width), image.components, bytesOf(image.type), alignment) *
-           std::size_t(image.height) * std::size_t(image.depth);
+           image.rows();
 }
 
 void writeImage(const Image& image, unsigned alignment, void* data) {
@@ -147,9 +162,9 @@ void writeImage(const Image& image, unsigned alignment, void* data) {
         rowBytes(std::size_t(image.width), image.components, size, alignment);
     withType(image.type, [&](auto number) {
         const double* in = image.values.data();
-        for (int row = 0; row < image.height * image.depth; ++row) {
-            std::byte* out = static_cast<std::byte*>(data) + std::size_t(row) * stride;
-            for (int i = 0; i < image.width * image.components; ++i, out += size) {
+        for (std::size_t row = 0; row < image.rows(); ++row) {
+            std::byte* out = static_cast<std::byte*>(data) + row * stride;
+            for (std::size_t i = 0; i < image.valuesOfRow(); ++i, out += size) {
                 number = decltype(number)(*in++);
                 std::memcpy(out, &number, size);
             }
@@ -200,7 +215,8 @@ Image fromShorts(const Image& shorts, RTenum type, bool scaled) {
 Image scaleImage(const Image& image, int width, int height, int depth, Enlarging enlarging) {
     const bool flat = image.depth == 1 && depth == 1;
     if (flat && width == image.width && height == image.height) return image;
-    const bool halfWide = image.width == 2 * width, halfHigh = image.height == 2 * height;
+    const bool halfWide = image.width == 2 * int64_t(width);
+    const bool halfHigh = image.height == 2 * int64_t(height);
     if (flat && halfWide && halfHigh) return halved(image, 2, 2);
     if (flat && halfWide && image.height == 1 && height == 1) return halved(image, 2, 1);
     if (flat && halfHigh && image.width == 1 && width == 1) return halved(image, 1, 2);

@@ -21,10 +21,10 @@ struct Image {
     int width, height, depth;
     std::vector<double> values;
 
-    Image(RTenum imageType, int imageComponents, int w, int h, int d)
-        : type(imageType), components(imageComponents), width(w), height(h), depth(d),
-          values(std::size_t(imageComponents) * std::size_t(w) * std::size_t(h) * std::size_t(d)) {
-    }
+    /// Throws what vectors throw where it is larger than memory can be.
+    Image(RTenum imageType, int imageComponents, int w, int h, int d);
+    std::size_t rows() const { return std::size_t(height) * std::size_t(depth); }
+    std::size_t valuesOfRow() const { return std::size_t(width) * std::size_t(components); }
     double* pixel(int x, int y, int z) {
         return values.data() + offset(x, y, z);
     }

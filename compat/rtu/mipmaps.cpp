@@ -120,8 +120,8 @@ struct Mipmaps {
         check(data != nullptr, RTU_INVALID_VALUE, "data is NULL");
         const int w = fittingPower(width), h = dimensions > 1 ? fittingPower(height) : 1;
         const int d = dimensions > 2 ? fittingPower(depth) : 1;
-        const RTint last = levelsBelow(std::max({w, h, d})) + level;
-        if (max < 0) max = last;
+        const int64_t last = int64_t(level) + levelsBelow(std::max({w, h, d}));
+        if (max < 0) max = RTint(last);
         check(level >= 0 && base >= level && max >= base && max <= last, RTU_INVALID_VALUE,
               "not a range of levels");
         const Enlarging enlarging =
@@ -131,7 +131,7 @@ struct Mipmaps {
             d, enlarging);
         const PackedRows packed;
         std::vector<std::byte> bytes;
-        for (RTint current = level; current <= max; ++current) {
+        for (int64_t current = level; current <= max; ++current) {
             if (current > level)
                 image = scaleImage(image, std::max(image.width / 2, 1),
                                    std::max(image.height / 2, 1), std::max(image.depth / 2, 1),
@@ -139,7 +139,7 @@ struct Mipmaps {
             if (current < base) continue;
             bytes.resize(writtenBytes(image, 1));
             writeImage(image, 1, bytes.data());
-            give(current, image, bytes.data());
+            give(RTint(current), image, bytes.data());
         }
     }
 

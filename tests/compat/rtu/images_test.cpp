@@ -6,6 +6,7 @@
 #include <openrt/rt.h>
 #include <openrt/rtu.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -179,6 +180,36 @@ TEST_F(Images, theUnpackStateIsAsItWas) {
     EXPECT_EQ(value, 8);
     rtGetIntegerv(RT_UNPACK_ROW_LENGTH, &value);
     EXPECT_EQ(value, 64);
+}
+
+TEST_F(Images, sizesBeyondAllMemoryAreRefused) {
+    const uint8_t pixel[64] = {};
+    constexpr int kMost = std::numeric_limits<int>::max();
+    // The product of the first three is 3056 modulo 2^64.
+    for (const auto& [width, height, depth] :
+         {std::array{288549115, 1971995458, 301668200}, {kMost, kMost, kMost}}) {
+        EXPECT_EQ(rtuBuild3DMipmaps(RT_TEXTURE_3D, 1, width, height, depth, RT_LUMINANCE,
+                                    RT_UNSIGNED_BYTE, pixel),
+                  RTint(RTU_OUT_OF_MEMORY));
+        EXPECT_EQ(rtGetError(), RTenum(RT_OUT_OF_MEMORY));
+    }
+    uint8_t out[64] = {};
+    EXPECT_EQ(rtuScaleImage(RT_LUMINANCE, 2, 2, RT_UNSIGNED_BYTE, pixel, kMost, kMost,
+                            RT_UNSIGNED_BYTE, out),
+              RTint(RTU_OUT_OF_MEMORY));
+    EXPECT_EQ(rtGetError(), RTenum(RT_OUT_OF_MEMORY));
+}
+
+TEST_F(Images, theLastLevelOfAllIsOne) {
+    bytesPerPixel = 1;
+    const uint8_t in[4] = {};
+    constexpr int kMost = std::numeric_limits<int>::max();
+    EXPECT_EQ(rtuBuild1DMipmapLevels(RT_TEXTURE_1D, 1, 4, RT_LUMINANCE, RT_UNSIGNED_BYTE,
+                                     kMost - 1, kMost, kMost, in),
+              0);
+    ASSERT_EQ(rtLevels.size(), 1u);
+    EXPECT_EQ(rtLevels[0].level, kMost);
+    EXPECT_EQ(rtLevels[0].width, 2);
 }
 
 TEST_F(Images, wrongArgumentsAreGlusNumbersAndRecorded) {
