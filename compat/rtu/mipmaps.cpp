@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 
 #include "compat/openrt/guard.h"
 #include "compat/rtu/image.h"
@@ -58,10 +59,11 @@ PixelStore unpackState() {
                                                               : PixelStore();
 }
 
-/// Gives levels to a texture call with rows that follow each other.
+/// Gives levels to a texture call with rows that follow each other. The call may report an error,
+/// and who listens may end the context.
 class PackedRows {
 public:
-    PackedRows() : context_(currentContext()), saved_(unpackState()) {
+    PackedRows() : context_(currentContextShared()), saved_(unpackState()) {
         set(PixelStore{.alignment = 1});
     }
     ~PackedRows() { set(saved_); }
@@ -73,7 +75,7 @@ private:
         if (context_ && !context_->recorder().insidePrimitive())
             context_->recorder().pixelStore() = store;
     }
-    Context* context_;
+    std::shared_ptr<Context> context_;
     PixelStore saved_;
 };
 

@@ -12,6 +12,7 @@ std::vector<Call> glCalls, rtCalls;
 std::vector<Level> glLevels, rtLevels;
 double glMatrix[16];
 int bytesPerPixel = 3;
+std::function<void()> whenLevelComes;
 
 namespace {
 
@@ -103,6 +104,7 @@ void RTAPIENTRY rtTexImage1D(RTenum, RTint level, RTint, RTsizei width, RTint, R
 void RTAPIENTRY rtTexImage2D(RTenum, RTint level, RTint, RTsizei width, RTsizei height, RTint,
                              RTenum, RTenum, const void* pixels) {
     rtLevels.push_back(levelOf(level, width, height, pixels));
+    if (whenLevelComes) whenLevelComes();
 }
 
 } // extern "C"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <vector>
 
 namespace testing_rtu {
@@ -22,6 +23,9 @@ struct Level {
 extern std::vector<Call> glCalls, rtCalls;
 extern std::vector<Level> glLevels, rtLevels;
 extern double glMatrix[16]; ///< what glTranslatef and glScalef make, column-major
+
+/// Is called with every level of rtTexImage2D.
+extern std::function<void()> whenLevelComes;
 
 /// Bytes of a pixel of the texture calls to come.
 extern int bytesPerPixel;

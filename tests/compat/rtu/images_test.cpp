@@ -212,6 +212,15 @@ TEST_F(Images, theLastLevelOfAllIsOne) {
     EXPECT_EQ(rtLevels[0].width, 2);
 }
 
+TEST_F(Images, theContextMayEndWhileLevelsAreGiven) {
+    bytesPerPixel = 1;
+    whenLevelComes = [] { rtDestroyContext(rtGetCurrentContext()); };
+    const uint8_t in[16] = {};
+    EXPECT_EQ(rtuBuild2DMipmaps(RT_TEXTURE_2D, 1, 4, 4, RT_LUMINANCE, RT_UNSIGNED_BYTE, in), 0);
+    whenLevelComes = nullptr;
+    EXPECT_EQ(rtLevels.size(), 3u);
+}
+
 TEST_F(Images, wrongArgumentsAreGlusNumbersAndRecorded) {
     uint8_t pixel[64] = {};
     const auto scale = [&](RTenum format, int w, RTenum type, const void* in, void* out) {
