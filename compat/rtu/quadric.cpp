@@ -12,10 +12,15 @@ using namespace smart::compat;
 
 namespace {
 
-void fail(const RTUquadric& quad, RTenum rtuError, const char* function, const char* text) {
+void fail(const RTUquadric& quad, RTenum rtuError, const char* function,
+          const char* text) noexcept {
     recordError(rtuError == RTU_INVALID_ENUM ? ErrorCode::InvalidEnum : ErrorCode::InvalidValue,
                 function, text);
-    if (quad.error) quad.error(rtuError);
+    try {
+        if (quad.error) quad.error(rtuError);
+    } catch (...) { // the callback may be of C++
+        report(function);
+    }
 }
 
 bool isMissingQuadric(const RTUquadric* quad, const char* function) {

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 
@@ -165,6 +166,19 @@ TEST_F(Quadrics, wrongMeasuresDrawNothingAndAreReported) {
     EXPECT_TRUE(isRefused([&] { rtuPartialDisk(quad, 0, 1, 8, 8, nan, 90); }));
     EXPECT_TRUE(isRefused([&] { rtuPartialDisk(quad, 0, 1, 8, 8, 0, infinity); }));
     EXPECT_FALSE(isRefused([&] { rtuSphere(quad, 1, 8, 8); })) << "control";
+}
+
+TEST_F(Quadrics, exceptionsOfCallbacksStayInside) {
+    rtuQuadricCallback(quad, RTU_ERROR, reinterpret_cast<RTUfuncptr>(+[](RTenum error) {
+                           lastError = error;
+                           throw std::runtime_error("of a callback");
+                       }));
+    EXPECT_NO_THROW(rtuSphere(quad, -1, 8, 8));
+    EXPECT_EQ(lastError, RTenum(RTU_INVALID_VALUE));
+    EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_VALUE));
+    EXPECT_NO_THROW(rtuQuadricNormals(quad, 0));
+    EXPECT_EQ(lastError, RTenum(RTU_INVALID_ENUM));
+    EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_ENUM));
 }
 
 TEST_F(Quadrics, unknownStylesChangeNothing) {
