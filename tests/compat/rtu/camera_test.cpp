@@ -128,6 +128,52 @@ TEST_F(Cameras, theBoundShaderStaysBound) {
     EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
 }
 
+TEST_F(Cameras, listsKeepCamerasWithWhatTheyPointTo) {
+    const RTuint shaderClass = rtGenNewShaderClass("ConstantShader", nullptr);
+    const RTuint shader = rtGenNewShader();
+    const auto bound = [](RTenum name) {
+        RTint value = -1;
+        rtGetIntegerv(name, &value);
+        return RTuint(value);
+    };
+    const auto makeCamera = [&](RTuint which) {
+        double corner[3], pose[16];
+        std::memcpy(corner, lowerLeft, sizeof corner);
+        std::memcpy(pose, identity, sizeof pose);
+        if (which == 1) rtuCameraFromMatrices(pose, pose);
+        if (which == 2) rtuCameraFromWall(corner, lowerRight, upperLeft, eye);
+        if (which == 3) rtuCameraFromFov(pose, -0.5, 0.5, 0.5, -0.5);
+    };
+    const auto picture = [&] {
+        quad(-1, 0.1, 0.8, 5, -3);
+        quad(0.1, -2, 0.6, 0.4, 0.2);
+        rtRender();
+        return ids;
+    };
+    for (const RTuint list : {1, 2, 3}) {
+        makeCamera(list);
+        const std::vector<RTuint> expected = picture();
+        rtNewList(list, RT_COMPILE);
+        makeCamera(list);
+        rtEndList();
+        for (int time = 0; time < 2; ++time) {
+            rtCallList(list);
+            EXPECT_EQ(bound(RT_SHADER_CLASS_BINDING), shaderClass);
+            EXPECT_EQ(bound(RT_SHADER_BINDING), shader);
+            EXPECT_EQ(picture(), expected) << list;
+        }
+        ASSERT_EQ(rtGetError(), RTenum(RT_NO_ERROR)) << rtGetErrorText();
+    }
+    rtNewList(4, RT_COMPILE);
+    rtuCameraFromMatrices(nullptr, identity);
+    rtEndList();
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    rtCallList(4);
+    EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_VALUE)) << "errors show when the list is called";
+    rtCallList(1);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR)) << "which gave the frame no camera";
+}
+
 TEST_F(Cameras, wrongArgumentsAreRefused) {
     const auto isRefused = [](auto&& call, RTenum error = RT_INVALID_VALUE) {
         call();
