@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compat/rtu/box_pairs.h"
+
 namespace smart::compat {
 
 namespace {
@@ -65,39 +67,44 @@ void PlanarArrangement::mergeEdges() {
     edges_.resize(kept);
 }
 
-/// Pairs whose extents overlap, by a sweep along x; edges are sorted by their left ends.
 void PlanarArrangement::findCuts(std::vector<Cut>& cuts) {
-    std::vector<uint32_t> active;
-    for (uint32_t e = 0; e < edges_.size(); ++e) {
-        const int32_t left = points_[edges_[e].a].x;
-        std::size_t kept = 0;
-        for (const uint32_t f : active) {
-            if (points_[edges_[f].b].x < left) continue;
-            active[kept++] = f;
-            cutPair(e, f, cuts);
-        }
-        active.resize(kept);
-        active.push_back(e);
+    std::vector<GridBox> boxes; // edges are in the order of their left ends
+    boxes.reserve(edges_.size());
+    for (const Edge& edge : edges_) {
+        const GridPoint a = points_[edge.a], b = points_[edge.b];
+        boxes.push_back({{a.x, std::min(a.y, b.y)}, {b.x, std::max(a.y, b.y)}});
     }
+    std::vector<std::pair<uint32_t, uint32_t>> crossings;
+    BoxPairs(boxes, [&](uint32_t e, uint32_t f) {
+        if (boxes[e].high[1] < boxes[f].low[1] || boxes[f].high[1] < boxes[e].low[1]) return;
+        if (cutAtEnds(e, f, cuts)) crossings.emplace_back(e, f);
+    });
+    // New vertices come in an order that does not depend on how the pairs were found.
+    std::sort(crossings.begin(), crossings.end());
+    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+    for (const auto& [e, f] : crossings) cutAtCrossing(e, f, cuts);
 }
 
-void PlanarArrangement::cutPair(uint32_t e, uint32_t f, std::vector<Cut>& cuts) {
+/// Where an end of one is inside the other; true where they cross instead.
+bool PlanarArrangement::cutAtEnds(uint32_t e, uint32_t f, std::vector<Cut>& cuts) const {
     const Edge edgeE = edges_[e], edgeF = edges_[f];
     const GridPoint ea = points_[edgeE.a], eb = points_[edgeE.b];
     const GridPoint fa = points_[edgeF.a], fb = points_[edgeF.b];
-    if (std::max(ea.y, eb.y) < std::min(fa.y, fb.y) || std::max(fa.y, fb.y) < std::min(ea.y, eb.y))
-        return;
     const int64_t faSide = orientation(ea, eb, fa), fbSide = orientation(ea, eb, fb);
     const int64_t eaSide = orientation(fa, fb, ea), ebSide = orientation(fa, fb, eb);
-    // An end of one inside the other.
     if (faSide == 0 && ea < fa && fa < eb) cuts.push_back({e, edgeF.a});
     if (fbSide == 0 && ea < fb && fb < eb) cuts.push_back({e, edgeF.b});
     if (eaSide == 0 && fa < ea && ea < fb) cuts.push_back({f, edgeE.a});
     if (ebSide == 0 && fa < eb && eb < fb) cuts.push_back({f, edgeE.b});
-    if (!differInSign(faSide, fbSide) || !differInSign(eaSide, ebSide)) return;
+    return differInSign(faSide, fbSide) && differInSign(eaSide, ebSide);
+}
 
-    const double share = double(eaSide) / (double(eaSide) - double(ebSide));
-    const uint32_t vertex = crossing(edgeE, edgeF, share);
+void PlanarArrangement::cutAtCrossing(uint32_t e, uint32_t f, std::vector<Cut>& cuts) {
+    const Edge edgeE = edges_[e], edgeF = edges_[f];
+    const GridPoint fa = points_[edgeF.a], fb = points_[edgeF.b];
+    const double eaSide = double(orientation(fa, fb, points_[edgeE.a]));
+    const double ebSide = double(orientation(fa, fb, points_[edgeE.b]));
+    const uint32_t vertex = crossing(edgeE, edgeF, eaSide / (eaSide - ebSide));
     if (vertex != edgeE.a && vertex != edgeE.b) cuts.push_back({e, vertex});
     if (vertex != edgeF.a && vertex != edgeF.b) cuts.push_back({f, vertex});
 }

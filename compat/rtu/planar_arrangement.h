@@ -62,7 +62,8 @@ private:
     bool lessByPlace(uint32_t a, uint32_t b) const { return points_[a] < points_[b]; }
     void mergeEdges();
     void findCuts(std::vector<Cut>& cuts);
-    void cutPair(uint32_t e, uint32_t f, std::vector<Cut>& cuts);
+    bool cutAtEnds(uint32_t e, uint32_t f, std::vector<Cut>& cuts) const;
+    void cutAtCrossing(uint32_t e, uint32_t f, std::vector<Cut>& cuts);
     uint32_t crossing(const Edge& e, const Edge& f, double share);
     void apply(std::vector<Cut>& cuts);
 
