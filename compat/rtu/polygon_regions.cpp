@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
+#include <set>
+#include <span>
 #include <tuple>
 
 #include "openrt/rtu_enums.h"
@@ -46,27 +49,48 @@ public:
     /// vertex or nullptr, and `ending` and `starting` are the edges there from bottom to top.
     template <class Visit>
     void run(Visit&& visit) {
-        std::vector<Entry> active, ending, starting;
-        std::size_t next = 0;
+        std::multiset<uint32_t, IsBelow> active(IsBelow{*this}); // by their places in starts_
+        std::vector<Entry> ending;
+        uint32_t next = 0;
         for (const uint32_t vertex : events_) {
-            const auto first = std::partition_point(
-                active.begin(), active.end(), [&](const Entry& edge) {
-                    return edge.b != vertex &&
-                           orientation(points_[edge.a], points_[edge.b], points_[vertex]) > 0;
-                });
-            const auto last = std::find_if(first, active.end(),
-                                           [&](const Entry& edge) { return edge.b != vertex; });
-            ending.assign(first, last);
-            starting.clear();
-            for (; next < starts_.size() && starts_[next].a == vertex; ++next)
-                starting.push_back(starts_[next]);
-            visit(vertex, first == active.begin() ? nullptr : &*(first - 1), ending, starting);
+            const auto first = active.lower_bound(Vertex{vertex});
+            auto last = first;
+            ending.clear();
+            for (; last != active.end() && starts_[*last].b == vertex; ++last)
+                ending.push_back(starts_[*last]);
+            uint32_t start = next;
+            while (next < starts_.size() && starts_[next].a == vertex) ++next;
+            const std::span<Entry> starting(starts_.data() + start, next - start);
+            visit(vertex, first == active.begin() ? nullptr : &starts_[*std::prev(first)], ending,
+                  starting);
             const auto place = active.erase(first, last);
-            active.insert(place, starting.begin(), starting.end());
+            for (; start < next; ++start) active.insert(place, start);
         }
     }
 
 private:
+    struct Vertex {
+        uint32_t index;
+    };
+    /// Of edges that the line meets at once, and of these and the vertex that it is at.
+    struct IsBelow {
+        using is_transparent = void;
+        const SweepLine& line;
+
+        bool operator()(uint32_t edge, Vertex vertex) const {
+            const Entry& e = line.starts_[edge];
+            return e.b != vertex.index && side(e, vertex.index) > 0;
+        }
+        bool operator()(uint32_t edge, uint32_t other) const {
+            const Entry &e = line.starts_[edge], &f = line.starts_[other];
+            if (e.a == f.a) return side(e, f.b) > 0;
+            return line.points_[e.a] < line.points_[f.a] ? side(e, f.a) > 0 : side(f, e.a) < 0;
+        }
+        int64_t side(const Entry& e, uint32_t vertex) const {
+            return orientation(line.points_[e.a], line.points_[e.b], line.points_[vertex]);
+        }
+    };
+
     const std::vector<GridPoint>& points_;
     std::vector<Entry> starts_;
     std::vector<uint32_t> events_;
