@@ -57,7 +57,10 @@ CameraRays::CameraRays(const Frame& frame) : frame_(frame), lens_{} {
     lens_.nearScale = -1.0 / (w * nearW);
     lens_.farScale = -1.0 / (w * (nearW + 2.0 * w));
     lens_.sampleSide = 1.0 / std::sqrt(double(std::max(frame.samples, 1u)));
-    lens_.hasEye = std::abs(w) > 0x1p-45 * scale && isFinite(glm::dvec3(glm::vec3(eye)));
+    // Where the near plane is the farther one, rays lead to the eye and can not start there.
+    const bool towardsEye = lens_.nearScale < 0.0 && lens_.farScale < 0.0;
+    lens_.hasEye =
+        std::abs(w) > 0x1p-45 * scale && isFinite(glm::dvec3(glm::vec3(eye))) && !towardsEye;
 }
 
 bool CameraRays::covers(uint32_t x, uint32_t y) const {

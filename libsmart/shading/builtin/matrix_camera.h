@@ -13,8 +13,8 @@ using namespace openrt;
 
 /// OpenGL's camera: a ray leads through the points that projection * modelView maps to
 /// (2 x - 1, 2 y - 1, z, 1), from the near plane z = -1 to the far plane z = 1; a far plane at
-/// infinity or beyond does not end it. Rays that meet in an eye start there, parallel ones on the
-/// near plane. A product without inverse gives no rays: the pixels are black and counted as bad.
+/// infinity or beyond does not end it. Rays that meet in an eye start there; parallel ones, and those
+/// of a near plane beyond the far one, which lead to the eye, on the near plane. A product without inverse gives no rays: the pixels are black and counted as bad.
 struct Matrix {
     Mat4 projection;
     Mat4 modelView;
@@ -50,9 +50,11 @@ struct Matrix {
         const double wScale = std::fmax(std::fabs(inverse[3][3]),
                                         std::fmax(std::fabs(inverse[0][3]),
                                                   std::fabs(inverse[1][3])));
-        if (std::fabs(step[3]) > 0x1p-45 * wScale) { // not merely what rounding left
-            const double start = -length / (step[3] * near[3]);
-            const double end = endless ? kInfinity : -length / (step[3] * farW);
+        const double start = -length / (step[3] * near[3]);
+        const double end = endless ? kInfinity : -length / (step[3] * farW);
+        const bool hasEye = std::fabs(step[3]) > 0x1p-45 * wScale; // not merely what rounding left
+        // Where the near plane is the farther one, rays lead to the eye and can not start there.
+        if (hasEye && !(start < 0 && end < 0)) {
             c.setRay({float(step[0] / step[3]), float(step[1] / step[3]),
                       float(step[2] / step[3])},
                      direction, float(start > 0 ? start : 0), float(end));

@@ -69,6 +69,8 @@ TEST(CameraRays, PointsAreSeenWhereTheirRaysWereMade) {
     const glm::dmat4 orthographic = glm::ortho(-3.0, 5.0, -2.0, 2.0, -10.0, 40.0);
     EXPECT_LT(largestError(orthographic, viewport), 0.01);
     EXPECT_LT(largestError(glm::infinitePerspective(1.2, 1.5, 0.01), viewport), 0.01);
+    const glm::dmat4 reversed = glm::perspective(1.0, 4.0 / 3.0, 50.0, 1.0); // near beyond far
+    EXPECT_LT(largestError(reversed, viewport), 0.01);
     const glm::dmat4 view =
         glm::lookAt(glm::dvec3(3, 4, 5), glm::dvec3(0.5, -1, 0.25), glm::dvec3(0, 1, 0));
     EXPECT_LT(largestError(perspective * view, viewport), 0.01);
@@ -101,6 +103,16 @@ TEST(CameraRays, FrustumAgainstItsDefinition) {
             const double z = (n + f) / 2;
             EXPECT_NEAR(rays.depth(ray, float(length * z / n)), f * (z - n) / (z * (f - n)), 1e-6);
         }
+}
+
+TEST(CameraRays, RaysLeadToTheEyeWhereTheNearPlaneIsTheFartherOne) {
+    const CameraFrame camera(glm::perspective(1.0, 1.0, 50.0, 1.0), {0, 0, 10, 10});
+    Ray ray;
+    ASSERT_TRUE(CameraRays(camera.frame).make(5.0, 5.0, ray));
+    EXPECT_FLOAT_EQ(ray.org[2], -50.0f);
+    EXPECT_EQ(ray.dir[2], 1.0f);
+    EXPECT_EQ(ray.tNear, 0.0f);
+    EXPECT_FLOAT_EQ(ray.tFar, 49.0f);
 }
 
 TEST(CameraRays, OrthographicRaysStartOnTheNearPlane) {
