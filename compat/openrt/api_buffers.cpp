@@ -68,8 +68,8 @@ RTAPI void RTAPIENTRY rtDeleteBuffers(RTsizei n, const RTuint* buffers) {
         requireNames(c, n, buffers);
         for (RTsizei i = 0; i < n; ++i) {
             if (buffers[i] == 0) continue;
-            unbind(c.arrays(), buffers[i]);
             c.buffers().remove(buffers[i]);
+            unbind(c.arrays(), buffers[i]);
         }
     });
 }

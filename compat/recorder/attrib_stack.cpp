@@ -2,6 +2,8 @@
 #include "compat/recorder/attrib_stack.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "compat/recorder/context.h"
 
@@ -173,6 +175,15 @@ FixedState restoredFixed(const FixedState& now, const SavedState& saved) {
     return state;
 }
 
+/// Without their group they stay as the colour has made them until now.
+FixedMaterials restoredMaterials(const Recorder& recorder, const FixedLighting& lighting,
+                                 const SavedState& saved) {
+    if ((saved.groups & kLightingGroup) == 0) return recorder.materials();
+    const bool color = (saved.groups & kCurrentGroup) != 0;
+    return withColor(saved.materials, lighting,
+                     color ? saved.attributes.color : recorder.attributes().color);
+}
+
 void restoreIdle(IdleState& idle, const SavedState& saved) {
     const IdleState& was = saved.idle;
     const auto has = [&](uint32_t groups) { return (saved.groups & groups) != 0; };
@@ -240,19 +251,22 @@ void pushAttributes(Context& context, uint32_t groups) {
 void popAttributes(Context& context) {
     Recorder& recorder = context.recorder();
     recorder.requireOutsideObject();
-    const SavedState saved = context.attribStack().pop();
+    const SavedState& saved = context.attribStack().top();
     const auto has = [&](uint32_t groups) { return (saved.groups & groups) != 0; };
 
-    // Materials follow the colour as the state now in force says; then the old ones come back.
-    const bool materials = has(kLightingGroup);
-    if (!materials && has(kEnableGroup | kCurrentGroup))
-        recorder.setMaterials(recorder.materials());
+    // What needs memory comes first.
     FixedStateRecorder& fixed = recorder.fixedState();
-    fixed.change() = restoredFixed(fixed.state(), saved);
+    FixedState state = restoredFixed(fixed.state(), saved);
+    std::shared_ptr<const FixedMaterials> materials;
+    if (has(kLightingGroup | kEnableGroup | kCurrentGroup))
+        materials = std::make_shared<const FixedMaterials>(
+            restoredMaterials(recorder, state.lighting, saved));
+
+    fixed.change() = std::move(state);
     if (has(kDepthBufferGroup | kEnableGroup))
         fixed.setDepthTest(saved.fixed.ops.depthTest, saved.depthTestChosen);
     if (has(kCurrentGroup)) recorder.restoreAttributes(saved.attributes);
-    if (materials) recorder.setMaterials(saved.materials);
+    if (materials) recorder.restoreMaterials(std::move(materials));
     restoreIdle(recorder.idleState(), saved);
     restoreFrame(recorder.frameSettings(), saved);
     restorePixels(recorder.pixelDrawing(), saved);
@@ -265,6 +279,7 @@ void popAttributes(Context& context) {
     }
     if (has(kTransformGroup)) recorder.matrices().setMode(saved.matrixMode);
     if (has(kListGroup)) context.lists().setBase(saved.listBase);
+    context.attribStack().pop();
 }
 
 void pushClientAttributes(Context& context, bool pixelStore, bool vertexArrays) {
@@ -276,12 +291,13 @@ void pushClientAttributes(Context& context, bool pixelStore, bool vertexArrays) 
 
 void popClientAttributes(Context& context) {
     context.recorder().requireOutsidePrimitive();
-    SavedClientState saved = context.clientAttribStack().pop();
+    SavedClientState& saved = context.clientAttribStack().top();
     if (saved.pixelStore) {
         context.recorder().pixelStore() = saved.unpack;
         context.recorder().packStore() = saved.pack;
     }
     if (saved.vertexArrays) context.arrays() = std::move(saved.arrays);
+    context.clientAttribStack().pop();
 }
 
 } // namespace smart::compat

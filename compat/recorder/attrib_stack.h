@@ -82,13 +82,12 @@ public:
             throw Error(ErrorCode::StackOverflow, "the attribute stack is full");
         saved_.push_back(std::move(saved));
     }
-    Saved pop() {
+    Saved& top() {
         if (saved_.empty())
             throw Error(ErrorCode::StackUnderflow, "no attributes were pushed");
-        Saved saved = std::move(saved_.back());
-        saved_.pop_back();
-        return saved;
+        return saved_.back();
     }
+    void pop() noexcept { saved_.pop_back(); }
 
 private:
     std::vector<Saved> saved_;

@@ -14,6 +14,7 @@ namespace smart::compat {
 /// first binding on; any other name does too. A function that throws has changed nothing.
 class BufferStore {
 public:
+    /// Of several calls in a row only the first may throw.
     uint32_t generate() { return names_.addFree(1); }
     bool exists(uint32_t name) const { return buffers_.contains(name); }
     /// What binding `name` binds.
@@ -21,10 +22,14 @@ public:
         if (name == 0) return {};
         const auto known = buffers_.find(name);
         if (known != buffers_.end()) return {name, known->second};
-        const auto made = std::make_shared<BufferObject>();
-        names_.add(name);
-        buffers_.emplace(name, made);
-        return {name, made};
+        const auto made = buffers_.emplace(name, std::make_shared<BufferObject>()).first;
+        try {
+            names_.add(name);
+        } catch (...) {
+            buffers_.erase(made);
+            throw;
+        }
+        return {name, made->second};
     }
     void remove(uint32_t name) {
         if (name == 0) return;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "compat/recorder/transforms.h"
 
@@ -123,7 +124,7 @@ FixedState FixedStateRecorder::effective(const FixedStateSources& sources) const
     return state;
 }
 
-FixedStatePtr FixedStateRecorder::block(const FixedStateSources& sources) {
+FixedStatePtr FixedStateRecorder::block(FixedStateSources sources) {
     if (!changed_ && sameSources(sources)) return block_;
     const FixedState state = effective(sources);
     FixedStatePtr found;
@@ -137,7 +138,7 @@ FixedStatePtr FixedStateRecorder::block(const FixedStateSources& sources) {
         }
     }
     block_ = std::move(found);
-    sources_ = sources;
+    sources_ = std::move(sources);
     changed_ = false;
     return block_;
 }

@@ -56,7 +56,7 @@ public:
     /// The state as geometry latches it: nullptr as long as it comes to nothing but what the
     /// library does on its own. What is switched off stands in a block as at the start, and
     /// equal states are the same block as far as the last few ones go.
-    FixedStatePtr block(const FixedStateSources& sources);
+    FixedStatePtr block(FixedStateSources sources);
 
 private:
     static constexpr std::size_t kRemembered = 8;

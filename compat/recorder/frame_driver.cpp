@@ -169,6 +169,7 @@ uint32_t FrameDriver::queueView() {
         throw Error(ErrorCode::InvalidOperation, "there is no frame before that a camera took");
     uint32_t id = 0;
     submit(recorder_.makeView(*viewed_, applicationTarget()), &id);
+    recorder_.dropCamera();
     return id;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/name_ranges.h"
 
-#include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace smart::compat {
 
@@ -25,18 +25,23 @@ uint32_t NameRanges::addFree(uint32_t n) {
 
 void NameRanges::insert(uint32_t first, uint32_t last) {
     if (contains(first) && contains(last)) return; // one name, or all were free
-    const auto [made, isNew] = ranges_.try_emplace(first, last);
-    if (!isNew) made->second = std::max(made->second, last);
-    const auto after = std::next(made);
-    if (after != ranges_.end() && after->first == uint64_t(last) + 1) {
-        made->second = after->second;
-        ranges_.erase(after);
+    const auto after = ranges_.upper_bound(first);
+    const bool meetsAfter = after != ranges_.end() && after->first == uint64_t(last) + 1;
+    if (after != ranges_.begin()) {
+        const auto before = std::prev(after);
+        if (uint64_t(before->second) + 1 == first) {
+            before->second = meetsAfter ? after->second : last;
+            if (meetsAfter) ranges_.erase(after);
+            return;
+        }
     }
-    if (made == ranges_.begin()) return;
-    const auto before = std::prev(made);
-    if (uint64_t(before->second) + 1 != first) return;
-    before->second = made->second;
-    ranges_.erase(made);
+    if (meetsAfter) {
+        auto node = ranges_.extract(after);
+        node.key() = first;
+        ranges_.insert(std::move(node));
+        return;
+    }
+    ranges_.emplace_hint(after, first, last);
 }
 
 void NameRanges::remove(uint32_t first, uint32_t last) {

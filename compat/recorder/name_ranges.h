@@ -12,6 +12,8 @@ class NameRanges {
 public:
     bool contains(uint32_t name) const;
     /// Adds the lowest n consecutive names that are free and returns the first; 0: there are none.
+    /// Names next to a taken one need no memory: of several calls for one name only the first may
+    /// throw.
     uint32_t addFree(uint32_t n);
     void add(uint32_t name) { insert(name, name); }
     /// Removes first..last, as far as they are there.

@@ -223,6 +223,13 @@ void Recorder::restoreAttributes(const Attributes& attributes) {
     attributes_.edgeFlag = attributes.edgeFlag;
 }
 
+void Recorder::restoreMaterials(std::shared_ptr<const FixedMaterials> materials) noexcept {
+    const auto& now = attributes_.materials ? attributes_.materials : initialMaterials();
+    if (*materials == *now) return;
+    attributes_.materials = std::move(materials);
+    scene().loose.given.materials = true;
+}
+
 FixedMaterials Recorder::materials() const {
     const FixedMaterials& kept =
         attributes_.materials ? *attributes_.materials : *initialMaterials();

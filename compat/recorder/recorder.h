@@ -90,6 +90,8 @@ public:
     const IdleState& idleStateNow() const { return idleState_; }
     /// As before a push of attributes.
     void restoreAttributes(const Attributes& attributes);
+    /// The same of materials, whatever follows the colour; outside of objects.
+    void restoreMaterials(std::shared_ptr<const FixedMaterials> materials) noexcept;
     const ModelCompiler& compiler() const { return compiler_; }
     void setBuildThreads(unsigned threads) { compiler_.setThreads(threads); }
     // Rays, by which the library chooses among builders.
@@ -148,8 +150,9 @@ public:
     std::shared_ptr<Frame> makeFrame() { return makeFrame(frameSettings_.target); }
     /// The same into other memory.
     std::shared_ptr<Frame> makeFrame(const PixelTarget& target);
-    /// What `frame` shows, seen by the camera that the bound scene uses now; uses that camera up.
+    /// What `frame` shows, seen by the camera that the bound scene uses now.
     std::shared_ptr<Frame> makeView(const Frame& frame, const PixelTarget& target);
+    void dropCamera() noexcept { scene().camera.reset(); }
     /// Starts a new, empty scene.
     void clearScene() noexcept;
     /// Whether nothing was added to it.

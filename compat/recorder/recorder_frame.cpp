@@ -177,7 +177,6 @@ std::shared_ptr<Frame> Recorder::makeView(const Frame& frame, const PixelTarget&
     };
     const std::shared_ptr<Frame> top = see(frame);
     for (std::shared_ptr<const Frame>& layer : top->below) layer = see(*layer);
-    scene().camera.reset();
     return top;
 }
 

@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 
+#include "compat/recorder/context.h"
 #include "compat/recorder/display_lists.h"
 #include "compat/recorder/recorder.h"
 
@@ -253,6 +254,128 @@ TEST(RecorderMemory, RunsWithoutMemoryChangeNothing) {
     }
     EXPECT_GT(failures, 5);
     EXPECT_EQ(compiled->model->triangles.size(), 1u);
+}
+
+/// Tries until it works, with failures at the 1st, 2nd, ... allocation; returns how many.
+template <class Action, class AfterFailure>
+int tryUntilItWorks(const Action& action, const AfterFailure& afterFailure) {
+    for (int failures = 0;; ++failures) {
+        allocationsLeft = failures;
+        try {
+            action();
+            allocationsLeft = -1;
+            return failures;
+        } catch (const std::bad_alloc&) {
+            allocationsLeft = -1;
+        } catch (...) {
+            allocationsLeft = -1;
+            throw;
+        }
+        afterFailure();
+    }
+}
+
+TEST(RecorderMemory, AttributesComeBackAllOrNot) {
+    for (const uint32_t groups : {uint32_t(kLightingGroup), uint32_t(kCurrentGroup), 0xFFFFFFFFu}) {
+        Context context(1);
+        Recorder& r = context.recorder();
+        r.selectTextureUnit(1);
+        r.fixedState().changeTexture().enabled2D = true;
+        r.selectTextureUnit(0);
+        r.fixedState().change().lighting.colorMaterial = true;
+        r.color({1, 0, 0, 1});
+        const FixedMaterials saved = r.materials();
+        pushAttributes(context, groups);
+        r.color({0, 1, 0, 1});
+        r.setMaterials({});
+        r.fixedState().change().raster.pointSize = 7;
+        r.fixedState().change().lighting.enabled = true;
+        r.idleState().dither = false;
+        const FixedMaterials materials = r.materials();
+        const int failures = tryUntilItWorks([&] { popAttributes(context); }, [&] {
+            EXPECT_EQ(context.attribStack().depth(), 1u);
+            EXPECT_EQ(r.attributes().color, glm::vec4(0, 1, 0, 1));
+            EXPECT_TRUE(r.materials() == materials);
+            EXPECT_EQ(r.fixedStateNow().raster.pointSize, 7.0f);
+            EXPECT_TRUE(r.fixedStateNow().lighting.enabled);
+            EXPECT_FALSE(r.idleStateNow().dither);
+        });
+        EXPECT_EQ(failures, 2) << "the control: a texture unit and the materials";
+        EXPECT_EQ(context.attribStack().depth(), 0u);
+        const bool color = (groups & kCurrentGroup) != 0;
+        EXPECT_EQ(r.attributes().color, glm::vec4(color, !color, 0, 1));
+        EXPECT_TRUE(r.materials() == (color ? saved : materials)); // they follow the colour
+        EXPECT_EQ(r.fixedStateNow().raster.pointSize, (groups & kPointGroup) != 0 ? 1.0f : 7.0f);
+        EXPECT_EQ(r.fixedStateNow().lighting.enabled, (groups & kLightingGroup) == 0);
+        EXPECT_THROW(popAttributes(context), Error);
+    }
+}
+
+TEST(RecorderMemory, AViewThatFailsKeepsItsCamera) {
+    Context context(1);
+    Recorder& r = context.recorder();
+    PixelTarget& target = r.frameSettings().target;
+    target.memory = pixels;
+    target.width = target.height = 8;
+    target.format = PixelFormat::Rgba32f;
+    r.shaders().addClass(findBuiltinClass("PinholeCameraShader"));
+    const uint32_t camera = r.shaders().newShader();
+    r.useUnique(UniqueShader::Camera, camera);
+    context.frames().render();
+    r.useUnique(UniqueShader::Camera, camera);
+    // A camera used up would be an Error.
+    const int failures = tryUntilItWorks([&] { context.frames().queueView(); }, [] {});
+    EXPECT_GT(failures, 2);
+    EXPECT_THROW(context.frames().queueView(), Error) << "the camera is used up";
+}
+
+TEST(RecorderMemory, NamesOfBuffersThatFailStayFree) {
+    for (const uint32_t taken : {0u, 1u, 2u, 3u, 5u}) {
+        BufferStore buffers;
+        if (taken) buffers.bind(taken);
+        const uint32_t first = taken == 1 ? 2 : 1;
+        // Names after the first need no memory: a call for several makes all or none.
+        uint32_t names[6] = {};
+        const int failures = tryUntilItWorks([&] { names[0] = buffers.generate(); }, [] {});
+        EXPECT_EQ(failures, taken == 1 || taken == 2 ? 0 : 1);
+        EXPECT_EQ(names[0], first);
+        int made = 1;
+        const int more = tryUntilItWorks([&] {
+            for (; made < 6; ++made) names[made] = buffers.generate();
+        }, [] {});
+        EXPECT_EQ(more, 0) << "before name " << made;
+        uint32_t name = first;
+        for (const uint32_t generated : names) {
+            EXPECT_EQ(generated, name);
+            name += name + 1 == taken ? 2 : 1;
+        }
+
+        const int bound = tryUntilItWorks([&] { buffers.bind(9); }, [&] {
+            EXPECT_FALSE(buffers.exists(9));
+            uint32_t last = 0;
+            while (last < 9) last = buffers.generate();
+            EXPECT_EQ(last, 9u) << "it was free";
+            for (; last >= name; --last) buffers.remove(last);
+        });
+        EXPECT_GT(bound, 1);
+    }
+}
+
+TEST(RecorderMemory, AStateBlockIsOfItsSources) {
+    const auto image = std::make_shared<const Texture>(
+        1, 1, 4, TexelType::Byte, std::vector<std::byte>(4), TextureOptions{});
+    FixedStateRecorder fixed;
+    FixedStateSources one, three;
+    one.texture.image = three.texture.image = image;
+    three.moreTextures.resize(2);
+    three.moreTextures[1].image = image;
+    fixed.block({});
+    FixedStatePtr block;
+    const int failures = tryUntilItWorks([&] { block = fixed.block(three); }, [&] {
+        EXPECT_TRUE(fixed.block(one)->moreTextures.empty());
+    });
+    EXPECT_GT(failures, 2);
+    EXPECT_EQ(block->moreTextures.size(), 2u);
 }
 
 } // namespace
