@@ -5,6 +5,7 @@
 
 #include "compat/openrt/array_elements.h"
 #include "compat/openrt/guard.h"
+#include "compat/openrt/tokens.h"
 #include "openrt/rt_arrays.h"
 #include "openrt/rt_objects.h"
 
@@ -19,70 +20,136 @@ bool makesCalls(Context& c) {
     return !list || list->executes();
 }
 
-void checkDrawing(Context& c, RTenum mode, RTsizei count) {
+void requirePlaceToDraw(Context& c, RTenum mode) {
     if (makesCalls(c)) c.recorder().requireOutsidePrimitive();
     const bool known = mode <= RT_LINE_STRIP || (mode >= RT_TRIANGLES && mode <= RT_POLYGON);
     if (!known) throwError(ErrorCode::InvalidEnum, "no such primitive");
-    if (count < 0) throwError(ErrorCode::InvalidValue, "the number of elements is negative");
 }
 
-/// index(i): the number of the i-th element to draw; largest(): the largest of them.
-template <class Index, class Largest>
-void draw(Context& c, RTenum mode, RTsizei count, const Index& index, const Largest& largest) {
-    const ArrayElements elements(c);
-    if (count == 0 || !elements.hasVertices()) return;
-    elements.requireElement(largest());
-    rtBegin(mode);
-    if (makesCalls(c) && !c.recorder().insidePrimitive()) return; // it was refused
+void requireSurface(Context& c) {
+    if (makesCalls(c) && !c.recorder().shaders().bound().isSurface)
+        throwError(ErrorCode::InvalidOperation, "the bound shader is not a surface shader");
+}
+
+template <class Body>
+void keepAndMake(Context& c, ListOp op, const char* function, const Body& body) {
+    ListRecording* const list = c.lists().recording();
+    if (!list || keepIn(*list, op, function, 0, body)) body(c);
+}
+
+/// Calls between rtBegin and rtEnd, none of which fails but for lack of memory. No error is told
+/// before the caller's guard does: who hears of it may end the context.
+template <class Calls>
+void makePrimitive(Context& c, RTenum mode, const Calls& calls) {
+    const bool filled = mode >= RT_TRIANGLES && mode <= RT_POLYGON;
     try {
-        for (RTsizei i = 0; i < count; ++i) elements.make(index(i));
+        keepAndMake(c, filled ? ListOp::BeginFilled : ListOp::BeginOther, "rtBegin",
+                    [mode](Context& context) { context.recorder().begin(primitiveOf(mode)); });
+        calls();
+        keepAndMake(c, ListOp::End, "rtEnd", [](Context& context) { context.recorder().end(); });
     } catch (...) {
-        rtEnd();
+        if (c.recorder().insidePrimitive()) c.recorder().end();
+        if (ListRecording* const list = c.lists().recording()) list->lose();
         throw;
     }
-    rtEnd();
-    if (!c.lists().recording()) elements.restoreAttributes();
 }
 
-void drawRange(Context& c, RTenum mode, RTint first, RTsizei count) {
-    checkDrawing(c, mode, count);
-    if (first < 0) throwError(ErrorCode::InvalidValue, "the first element is negative");
-    const auto index = [first](RTsizei i) { return uint64_t(first) + uint64_t(i); };
-    draw(c, mode, count, index, [&] { return index(count - 1); });
+/// Elements first, first + 1, ...
+struct ElementRange {
+    RTint first;
+    RTsizei count;
+
+    uint64_t operator[](RTsizei i) const { return uint64_t(first) + uint64_t(i); }
+    uint64_t largest() const { return (*this)[count - 1]; }
+};
+
+template <class T>
+struct IndexedElements {
+    const std::byte* indices;
+    RTsizei count;
+
+    uint64_t operator[](RTsizei i) const {
+        T value;
+        std::memcpy(&value, indices + std::size_t(i) * sizeof value, sizeof value);
+        return value;
+    }
+    uint64_t largest() const {
+        uint64_t largest = 0;
+        for (RTsizei i = 0; i < count; ++i) largest = std::max(largest, (*this)[i]);
+        return largest;
+    }
+};
+
+/// Checks all of the drawings, then makes them. elementsOf(i): what the i-th draws.
+template <class ElementsOf>
+void draw(Context& c, RTenum mode, RTsizei drawings, const ElementsOf& elementsOf) {
+    const ArrayElements arrays(c);
+    for (RTsizei i = 0; i < drawings; ++i) {
+        const auto elements = elementsOf(i);
+        if (elements.count > 0 && arrays.hasVertices()) arrays.requireElement(elements.largest());
+    }
+    if (!arrays.hasVertices()) return;
+    requireSurface(c);
+    try {
+        for (RTsizei i = 0; i < drawings; ++i) {
+            const auto elements = elementsOf(i);
+            if (elements.count == 0) continue;
+            makePrimitive(c, mode, [&] {
+                for (RTsizei k = 0; k < elements.count; ++k) arrays.make(elements[k]);
+            });
+        }
+    } catch (...) {
+        arrays.restoreAttributes();
+        throw;
+    }
+    if (!c.lists().recording()) arrays.restoreAttributes();
+}
+
+void requireCounts(RTsizei drawings, const RTsizei* count) {
+    for (RTsizei i = 0; i < drawings; ++i)
+        if (count[i] < 0) throwError(ErrorCode::InvalidValue, "the number of elements is negative");
+}
+
+bool areAllZero(RTsizei drawings, const RTsizei* count) {
+    return std::all_of(count, count + drawings, [](RTsizei n) { return n == 0; });
+}
+
+void drawRanges(Context& c, RTenum mode, RTsizei drawings, const RTint* first,
+                const RTsizei* count) {
+    requireCounts(drawings, count);
+    for (RTsizei i = 0; i < drawings; ++i)
+        if (first[i] < 0) throwError(ErrorCode::InvalidValue, "the first element is negative");
+    if (areAllZero(drawings, count)) return;
+    draw(c, mode, drawings, [&](RTsizei i) { return ElementRange{first[i], count[i]}; });
 }
 
 template <class T>
-void drawIndexed(Context& c, RTenum mode, RTsizei count, const ReadableMemory& indices) {
-    if (indices.bytes / sizeof(T) < uint64_t(count))
-        throwError(ErrorCode::InvalidOperation, "the buffer ends before the indices do");
-    const auto index = [&](RTsizei i) -> uint64_t {
-        T value;
-        std::memcpy(&value, indices.data + std::size_t(i) * sizeof value, sizeof value);
-        return value;
-    };
-    draw(c, mode, count, index, [&] {
-        uint64_t largest = 0;
-        for (RTsizei i = 0; i < count; ++i) largest = std::max(largest, index(i));
-        return largest;
+void drawIndexed(Context& c, RTenum mode, RTsizei drawings, const RTsizei* count,
+                 const void* const* indices) {
+    draw(c, mode, drawings, [&](RTsizei i) -> IndexedElements<T> {
+        if (count[i] == 0) return {nullptr, 0};
+        const ReadableMemory memory = readable(indices[i], c.arrays().elementBuffer);
+        if (memory.bytes / sizeof(T) < uint64_t(count[i]))
+            throwError(ErrorCode::InvalidOperation, "the buffer ends before the indices do");
+        return {memory.data, count[i]};
     });
 }
 
-void drawIndexed(Context& c, RTenum mode, RTsizei count, RTenum type, const void* indices) {
-    checkDrawing(c, mode, count);
+void drawIndexed(Context& c, RTenum mode, RTsizei drawings, const RTsizei* count, RTenum type,
+                 const void* const* indices) {
+    requireCounts(drawings, count);
     if (type != RT_UNSIGNED_BYTE && type != RT_UNSIGNED_SHORT && type != RT_UNSIGNED_INT)
         throwError(ErrorCode::InvalidEnum, "not a type of indices");
-    if (count == 0) return;
-    const ReadableMemory memory = readable(indices, c.arrays().elementBuffer);
+    if (areAllZero(drawings, count)) return;
     if (type == RT_UNSIGNED_BYTE)
-        drawIndexed<RTubyte>(c, mode, count, memory);
+        drawIndexed<RTubyte>(c, mode, drawings, count, indices);
     else if (type == RT_UNSIGNED_SHORT)
-        drawIndexed<RTushort>(c, mode, count, memory);
+        drawIndexed<RTushort>(c, mode, drawings, count, indices);
     else
-        drawIndexed<RTuint>(c, mode, count, memory);
+        drawIndexed<RTuint>(c, mode, drawings, count, indices);
 }
 
-void requireDrawings(Context& c, RTsizei drawcount, const void* first, const void* second) {
-    if (makesCalls(c)) c.recorder().requireOutsidePrimitive();
+void requireDrawings(RTsizei drawcount, const void* first, const void* second) {
     if (drawcount < 0) throwError(ErrorCode::InvalidValue, "drawcount is negative");
     if (drawcount == 0) return;
     requirePointer(first, "an array of the call");
@@ -91,13 +158,14 @@ void requireDrawings(Context& c, RTsizei drawcount, const void* first, const voi
 
 void rectangle(const char* function, RTdouble x1, RTdouble y1, RTdouble x2, RTdouble y2) noexcept {
     guarded(function, [&](Context& c) {
-        if (makesCalls(c)) c.recorder().requireOutsidePrimitive();
-        rtBegin(RT_POLYGON);
-        rtVertex2d(x1, y1);
-        rtVertex2d(x2, y1);
-        rtVertex2d(x2, y2);
-        rtVertex2d(x1, y2);
-        rtEnd();
+        requirePlaceToDraw(c, RT_POLYGON);
+        requireSurface(c);
+        makePrimitive(c, RT_POLYGON, [&] {
+            ListRecording* const list = c.lists().recording();
+            for (const glm::dvec4& corner : {glm::dvec4(x1, y1, 0, 1), glm::dvec4(x2, y1, 0, 1),
+                                             glm::dvec4(x2, y2, 0, 1), glm::dvec4(x1, y2, 0, 1)})
+                if (!list || list->vertex(corner)) c.recorder().vertex(corner);
+        });
     });
 }
 
@@ -122,34 +190,41 @@ RTAPI void RTAPIENTRY rtArrayElement(RTint i) {
 }
 
 RTAPI void RTAPIENTRY rtDrawArrays(RTenum mode, RTint first, RTsizei count) {
-    guarded(__func__, [&](Context& c) { drawRange(c, mode, first, count); });
+    guarded(__func__, [&](Context& c) {
+        requirePlaceToDraw(c, mode);
+        drawRanges(c, mode, 1, &first, &count);
+    });
 }
 RTAPI void RTAPIENTRY rtMultiDrawArrays(RTenum mode, const RTint* first, const RTsizei* count,
                                         RTsizei drawcount) {
     guarded(__func__, [&](Context& c) {
-        requireDrawings(c, drawcount, first, count);
-        for (RTsizei i = 0; i < drawcount; ++i)
-            if (count[i] > 0) drawRange(c, mode, first[i], count[i]);
+        requirePlaceToDraw(c, mode);
+        requireDrawings(drawcount, first, count);
+        drawRanges(c, mode, drawcount, first, count);
     });
 }
 
 RTAPI void RTAPIENTRY rtDrawElements(RTenum mode, RTsizei count, RTenum type,
                                      const void* indices) {
-    guarded(__func__, [&](Context& c) { drawIndexed(c, mode, count, type, indices); });
+    guarded(__func__, [&](Context& c) {
+        requirePlaceToDraw(c, mode);
+        drawIndexed(c, mode, 1, &count, type, &indices);
+    });
 }
 RTAPI void RTAPIENTRY rtDrawRangeElements(RTenum mode, RTuint start, RTuint end, RTsizei count,
                                           RTenum type, const void* indices) {
     guarded(__func__, [&](Context& c) {
         if (end < start) throwError(ErrorCode::InvalidValue, "the range ends before it starts");
-        drawIndexed(c, mode, count, type, indices);
+        requirePlaceToDraw(c, mode);
+        drawIndexed(c, mode, 1, &count, type, &indices);
     });
 }
 RTAPI void RTAPIENTRY rtMultiDrawElements(RTenum mode, const RTsizei* count, RTenum type,
                                           const void* const* indices, RTsizei drawcount) {
     guarded(__func__, [&](Context& c) {
-        requireDrawings(c, drawcount, count, indices);
-        for (RTsizei i = 0; i < drawcount; ++i)
-            if (count[i] > 0) drawIndexed(c, mode, count[i], type, indices[i]);
+        requirePlaceToDraw(c, mode);
+        requireDrawings(drawcount, count, indices);
+        drawIndexed(c, mode, drawcount, count, type, indices);
     });
 }
 

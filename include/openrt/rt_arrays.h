@@ -59,7 +59,9 @@ RTAPI void RTAPIENTRY rtGetPointerv(RTenum pname, void **params);
 RTAPI void RTAPIENTRY rtArrayElement(RTint i);
 
 /* Draw primitives of elements first to first + count - 1, or of those that indices name. Current
- * values are afterwards what they were before. The multiple forms draw one after the other.
+ * values are afterwards what they were before. The multiple forms draw one after the other, or
+ * nothing where one of them is wrong. Of a drawing in which memory runs out (RT_OUT_OF_MEMORY) the
+ * vertices that there was memory for are drawn.
  * Errors:  RT_INVALID_ENUM       unknown mode; indices are RT_UNSIGNED_BYTE, _SHORT or _INT
  *          RT_INVALID_VALUE      a negative first, count or drawcount; end < start
  *          RT_INVALID_OPERATION  an enabled array or the indices have no memory, their buffer is

@@ -353,6 +353,32 @@ TEST_F(ObjectMemory, WithoutMemoryALazyBuildFailsTheFrameAndCanBeTriedAgain) {
     rtReleaseScene(scene);
 }
 
+TEST_F(ObjectMemory, ADrawingWithoutMemoryLeavesTheCurrentValues) {
+    const std::vector<RTfloat> corners(3 * 9000, 0.25f);
+    rtVertexPointer(3, RT_FLOAT, 0, corners.data());
+    rtColorPointer(3, RT_FLOAT, 0, corners.data());
+    rtEnableClientState(RT_VERTEX_ARRAY);
+    rtEnableClientState(RT_COLOR_ARRAY);
+    rtColor3f(0, 1, 0);
+    for (const bool listed : {false, true}) {
+        if (listed) rtNewList(1, RT_COMPILE_AND_EXECUTE);
+        failingSize = 64 * 1024; // some vertices fit
+        rtDrawArrays(RT_TRIANGLES, 0, 9000);
+        failingSize = SIZE_MAX;
+        EXPECT_EQ(rtGetError(), RTenum(RT_OUT_OF_MEMORY));
+        RTfloat color[4];
+        rtGetFloatv(RT_CURRENT_COLOR, color);
+        EXPECT_EQ(color[0], 0);
+        EXPECT_EQ(color[1], 1);
+        rtBegin(RT_TRIANGLES); // the one before has ended
+        rtEnd();
+        EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    }
+    rtEndList(); // has half a drawing
+    EXPECT_EQ(rtGetError(), RTenum(RT_OUT_OF_MEMORY));
+    EXPECT_FALSE(rtIsList(1));
+}
+
 TEST_F(ObjectMemory, TenThousandRedefinitionsTakeNoMemory) {
     awaitThreadsLeaving();
     const RTuint object = rtNewObject(RT_DEFINE);

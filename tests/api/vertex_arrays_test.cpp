@@ -189,6 +189,66 @@ TEST_F(VertexArrays, SeveralDrawingsInOneCall) {
               direct);
 }
 
+TEST_F(VertexArrays, WrongDrawingsDrawNothing) {
+    const auto vertices = packed<float>(3, 0, coordinate);
+    const auto colors = packed<float>(4, 0, component<float>);
+    rtVertexPointer(3, RT_FLOAT, 0, vertices.data());
+    rtColorPointer(4, RT_FLOAT, 0, colors.data());
+    rtEnableClientState(RT_VERTEX_ARRAY);
+    rtEnableClientState(RT_COLOR_ARRAY);
+    rtColor4f(0.125f, 0.25f, 0.5f, 0.75f);
+    const RTubyte indices[] = {0, 1, 2};
+    RTuint buffer;
+    rtGenBuffers(1, &buffer);
+    rtBindBuffer(RT_ELEMENT_ARRAY_BUFFER, buffer);
+    rtBufferData(RT_ELEMENT_ARRAY_BUFFER, sizeof indices, indices, RT_STATIC_DRAW);
+    rtBindShader(0);
+    const auto expectNothing = [&](RTenum error, const std::function<void()>& draw) {
+        draw();
+        expectError(error);
+        rtRender();
+        EXPECT_EQ(value(RT_STAT_TRIANGLES), 0);
+        float color[4];
+        rtGetFloatv(RT_CURRENT_COLOR, color);
+        EXPECT_EQ(color[0], 0.125f);
+    };
+    const auto ranges = [](RTenum mode, std::vector<RTint> first, std::vector<RTsizei> count) {
+        rtMultiDrawArrays(mode, first.data(), count.data(), RTsizei(first.size()));
+    };
+    const auto indexed = [](RTenum mode, std::vector<RTsizei> count, RTenum type) {
+        const std::vector<const void*> at(count.size());
+        rtMultiDrawElements(mode, count.data(), type, at.data(), RTsizei(count.size()));
+    };
+    expectNothing(RT_INVALID_VALUE, [&] { ranges(RT_TRIANGLES, {0, 0}, {3, -5}); });
+    expectNothing(RT_INVALID_VALUE, [&] { ranges(RT_TRIANGLES, {0, -1}, {3, 0}); });
+    expectNothing(RT_INVALID_ENUM, [&] { ranges(12345, {0}, {0}); });
+    expectNothing(RT_INVALID_ENUM, [&] { ranges(12345, {}, {}); });
+    expectNothing(RT_INVALID_VALUE, [&] { indexed(RT_TRIANGLES, {3, -1}, RT_UNSIGNED_BYTE); });
+    expectNothing(RT_INVALID_OPERATION, [&] { indexed(RT_TRIANGLES, {3, 4}, RT_UNSIGNED_BYTE); });
+    expectNothing(RT_INVALID_ENUM, [&] { indexed(12345, {0}, RT_UNSIGNED_BYTE); });
+    expectNothing(RT_INVALID_ENUM, [&] { indexed(RT_TRIANGLES, {0}, RT_FLOAT); });
+    expectNothing(RT_NO_ERROR, [&] { ranges(RT_TRIANGLES, {0, 0}, {0, 0}); });
+
+    // What rtVertex would refuse.
+    rtGenNewShaderClass("PointLight", nullptr);
+    const RTuint light = rtGenNewShader();
+    const auto withLight = [&](const std::function<void()>& draw) {
+        rtBindShader(light);
+        draw();
+        rtBindShader(0);
+    };
+    for (const auto& draw : std::vector<std::function<void()>>{
+             [] { rtDrawArrays(RT_TRIANGLES, 0, 3); },
+             [&] { indexed(RT_TRIANGLES, {3}, RT_UNSIGNED_BYTE); },
+             [] { rtRectf(-1, -1, 1, 1); }})
+        expectNothing(RT_INVALID_OPERATION, [&] { withLight(draw); });
+    rtNewList(1, RT_COMPILE); // may be called with another one
+    withLight([] { rtDrawArrays(RT_TRIANGLES, 0, 3); });
+    rtEndList();
+    expectError(RT_NO_ERROR);
+    rtDeleteBuffers(1, &buffer);
+}
+
 TEST_F(VertexArrays, InBuffers) {
     const auto vertices = packed<double>(3, 8, coordinate);
     const auto colors = packed<uint8_t>(4, 0, component<uint8_t>);
