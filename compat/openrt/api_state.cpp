@@ -70,7 +70,7 @@ void get(const char* function, RTenum pname, T* params) noexcept {
 } // namespace
 
 RTAPI void RTAPIENTRY rtViewport(RTint x, RTint y, RTsizei width, RTsizei height) {
-    guarded(__func__, [&](Context& c) {
+    recorded(__func__, [=](Context& c) {
         c.recorder().requireOutsideObject();
         if (width < 0 || height < 0)
             throwError(ErrorCode::InvalidValue, "a viewport's size is negative");
@@ -81,7 +81,7 @@ RTAPI void RTAPIENTRY rtViewport(RTint x, RTint y, RTsizei width, RTsizei height
 }
 
 RTAPI void RTAPIENTRY rtClearColor(RTclampf red, RTclampf green, RTclampf blue, RTclampf alpha) {
-    guarded(__func__, [&](Context& c) {
+    recorded(__func__, [=](Context& c) {
         c.recorder().requireOutsideObject();
         c.recorder().frameSettings().clearColor = {clamped(red), clamped(green), clamped(blue),
                                                    clamped(alpha)};

@@ -304,6 +304,29 @@ TEST_F(DisplayLists, PointersAreReadWhenTheListIsCompiled) {
     EXPECT_EQ(matrix[12], 1.0f);
 }
 
+TEST_F(DisplayLists, ViewportAndClearColorAreKept) {
+    rtViewport(1, 2, 3, 4);
+    rtClearColor(0.25f, 0, 0, 0);
+    rtNewList(1, RT_COMPILE);
+    rtViewport(5, 6, 7, 8);
+    rtViewport(5, 6, -7, 8);
+    rtClearColor(0.5f, 0, 0, 0);
+    rtEndList();
+    const auto expect = [](RTint x, RTfloat red) {
+        RTint viewport[4];
+        RTfloat color[4];
+        rtGetIntegerv(RT_VIEWPORT, viewport);
+        rtGetFloatv(RT_COLOR_CLEAR_VALUE, color);
+        EXPECT_EQ(viewport[0], x);
+        EXPECT_EQ(color[0], red);
+    };
+    expectError(RT_NO_ERROR);
+    expect(1, 0.25f);
+    rtCallList(1);
+    expectError(RT_INVALID_VALUE);
+    expect(5, 0.5f);
+}
+
 TEST_F(DisplayLists, ListsThatMultiplyComeToAnEnd) {
     const RTuint first = rtGenLists(70);
     for (RTuint i = 0; i < 70; ++i) {
