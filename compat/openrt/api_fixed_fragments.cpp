@@ -2,6 +2,7 @@
 // What becomes of fragments (OpenGL 1.5, chapter 4): tests, blending, masks, clear values.
 #include <algorithm>
 
+#include "compat/openrt/call_values.h"
 #include "compat/openrt/fixed_tokens.h"
 #include "compat/openrt/guard.h"
 #include "openrt/rt_fixed.h"
@@ -12,7 +13,8 @@ using namespace smart::compat;
 namespace {
 
 float clamped(RTfloat value, float low = 0.0f) {
-    return value > low ? std::min(value, 1.0f) : low;
+    requireNumber(value);
+    return std::clamp(value, low, 1.0f);
 }
 
 void setBlendFunction(const char* function, RTenum sourceRgb, RTenum destinationRgb,
@@ -48,9 +50,10 @@ RTAPI void RTAPIENTRY rtAlphaFunc(RTenum func, RTclampf ref) {
     recorded(__func__, [=](Context& c) {
         FixedStateRecorder& fixed = c.recorder().fixedState();
         const CompareFunction comparison = compareFunctionOf(func);
+        const float reference = clamped(ref);
         FixedFragmentOps& ops = fixed.change().ops;
         ops.alphaFunction = comparison;
-        ops.alphaReference = clamped(ref);
+        ops.alphaReference = reference;
     });
 }
 
@@ -72,8 +75,9 @@ RTAPI void RTAPIENTRY rtBlendEquation(RTenum mode) {
 
 RTAPI void RTAPIENTRY rtBlendColor(RTclampf red, RTclampf green, RTclampf blue, RTclampf alpha) {
     recorded(__func__, [=](Context& c) {
-        c.recorder().fixedState().change().ops.blendColor = {clamped(red), clamped(green),
-                                                             clamped(blue), clamped(alpha)};
+        FixedStateRecorder& fixed = c.recorder().fixedState();
+        const glm::vec4 color(clamped(red), clamped(green), clamped(blue), clamped(alpha));
+        fixed.change().ops.blendColor = color;
     });
 }
 
@@ -141,8 +145,9 @@ RTAPI void RTAPIENTRY rtClearStencil(RTint s) {
 
 RTAPI void RTAPIENTRY rtClearAccum(RTfloat red, RTfloat green, RTfloat blue, RTfloat alpha) {
     recorded(__func__, [=](Context& c) {
-        c.recorder().idleState().accumClear = {clamped(red, -1), clamped(green, -1),
-                                               clamped(blue, -1), clamped(alpha, -1)};
+        IdleState& idle = c.recorder().idleState();
+        idle.accumClear = {clamped(red, -1), clamped(green, -1), clamped(blue, -1),
+                           clamped(alpha, -1)};
     });
 }
 

@@ -127,7 +127,10 @@ RTAPI void RTAPIENTRY rtPolygonMode(RTenum face, RTenum mode) {
 
 RTAPI void RTAPIENTRY rtPolygonOffset(RTfloat factor, RTfloat units) {
     recorded(__func__, [=](Context& c) {
-        FixedRaster& raster = c.recorder().fixedState().change().raster;
+        FixedStateRecorder& fixed = c.recorder().fixedState();
+        requireNumber(factor);
+        requireNumber(units);
+        FixedRaster& raster = fixed.change().raster;
         raster.offsetFactor = factor;
         raster.offsetUnits = units;
     });
@@ -204,6 +207,7 @@ RTAPI void RTAPIENTRY rtClipPlane(RTenum plane, const RTdouble* equation) {
         FixedStateRecorder& fixed = c.recorder().fixedState();
         const int i = clipPlaneNumber(plane);
         if (isNull) throwError(ErrorCode::InvalidValue, "equation is NULL");
+        for (int k = 0; k < 4; ++k) requireNumber(given[k]);
         glm::dmat4 eyeToObject;
         if (!invert(c.recorder().matrices().modelView(), eyeToObject))
             throwError(ErrorCode::InvalidOperation, "the model-view matrix has no inverse");

@@ -13,6 +13,11 @@
 
 namespace smart::compat {
 
+/// Throws InvalidValue for what is not a number.
+inline void requireNumber(double value) {
+    if (std::isnan(value)) throwError(ErrorCode::InvalidValue, "a value is not a number");
+}
+
 /// Copied when the call is made, as display lists keep it. Functions that take a value out throw
 /// Error where the call did not give it.
 class CallValues {
@@ -41,9 +46,8 @@ public:
         return values;
     }
 
-    float number() const { return require(1), float(values_[0]); }
-    double exact() const { return require(1), values_[0]; }
-    bool isTrue() const { return require(1), values_[0] != 0; }
+    float number() const { return requireNumbers(1), float(values_[0]); }
+    bool isTrue() const { return requireNumbers(1), values_[0] != 0; }
     /// To the nearest whole number; what is out of range is a token that does not exist.
     RTenum token() const {
         require(1);
@@ -52,16 +56,16 @@ public:
     }
     glm::vec4 vector() const { return glm::vec4(doubles()); }
     glm::dvec4 doubles() const {
-        require(4);
+        requireNumbers(4);
         return {values_[0], values_[1], values_[2], values_[3]};
     }
     glm::vec3 direction() const {
-        require(3);
+        requireNumbers(3);
         return {float(values_[0]), float(values_[1]), float(values_[2])};
     }
     /// Integers are mapped from their whole range to -1..1.
     glm::vec4 color() const {
-        require(4);
+        requireNumbers(4);
         glm::vec4 color;
         for (int k = 0; k < 4; ++k)
             color[k] = integers_ ? float((2.0 * values_[k] + 1.0) / 4294967295.0)
@@ -74,6 +78,10 @@ private:
         if (isNull_) throwError(ErrorCode::InvalidValue, "params is NULL");
         if (!isArray_ && n > 1)
             throwError(ErrorCode::InvalidEnum, "this is set by a call that takes an array");
+    }
+    void requireNumbers(int n) const {
+        require(n);
+        for (int i = 0; i < n; ++i) requireNumber(values_[i]);
     }
 
     double values_[kMax] = {};

@@ -9,7 +9,8 @@
  * Tokens are those of OpenGL. Errors that all of these calls have:
  *          RT_INVALID_ENUM       a token that OpenGL does not know there; a call with one value
  *                                for what takes several
- *          RT_INVALID_VALUE      a number out of OpenGL's range, or not a number; NULL
+ *          RT_INVALID_VALUE      a number out of OpenGL's range, or not a number; NULL. What
+ *                                vertices latch, but for materials, may be not a number
  *          RT_INVALID_OPERATION  between rtBegin and rtEnd, or in an object
  * Without any of them geometry shows the colours of its vertices, and the nearest surface. */
 #ifndef OPENRT_RT_FIXED_H

@@ -156,6 +156,8 @@ TEST_F(FixedState, SwitchesOfLightsAreOfTwoGroups) {
     }
 }
 
+const RTfloat kNotNumbers[4] = {1, 1, NAN, 1};
+
 // Each wrong call, all answers before and after.
 TEST_F(FixedState, NullAndNotANumberChangeNothing) {
     const RTfloat ones[4] = {1, 1, 1, 1};
@@ -193,6 +195,33 @@ TEST_F(FixedState, NullAndNotANumberChangeNothing) {
         {RT_INVALID_VALUE, [] { rtPolygonStipple(nullptr); }},
         {RT_INVALID_VALUE, [] { rtPointSize(NAN); }},
         {RT_INVALID_VALUE, [] { rtLineWidth(NAN); }},
+        {RT_INVALID_VALUE, [] { rtLightfv(RT_LIGHT0, RT_POSITION, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtLightfv(RT_LIGHT0, RT_AMBIENT, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtLightfv(RT_LIGHT0, RT_SPOT_DIRECTION, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtLightModelfv(RT_LIGHT_MODEL_AMBIENT, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtLightModelf(RT_LIGHT_MODEL_TWO_SIDE, NAN); }},
+        {RT_INVALID_VALUE, [] { rtMaterialfv(RT_FRONT, RT_DIFFUSE, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtFogf(RT_FOG_START, NAN); }},
+        {RT_INVALID_VALUE, [] { rtFogfv(RT_FOG_COLOR, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtPolygonOffset(NAN, 1); }},
+        {RT_INVALID_VALUE, [] { rtPolygonOffset(1, NAN); }},
+        {RT_INVALID_VALUE,
+         [] { rtTexEnvf(RT_TEXTURE_FILTER_CONTROL, RT_TEXTURE_LOD_BIAS, NAN); }},
+        {RT_INVALID_VALUE,
+         [] { rtTexEnvfv(RT_TEXTURE_ENV, RT_TEXTURE_ENV_COLOR, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtTexGenfv(RT_S, RT_OBJECT_PLANE, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtTexGenfv(RT_S, RT_EYE_PLANE, kNotNumbers); }},
+        {RT_INVALID_VALUE,
+         [] {
+             const RTdouble plane[4] = {1, 1, 1, NAN};
+             rtClipPlane(RT_CLIP_PLANE0, plane);
+         }},
+        {RT_INVALID_VALUE,
+         [] { rtPointParameterfv(RT_POINT_DISTANCE_ATTENUATION, kNotNumbers); }},
+        {RT_INVALID_VALUE, [] { rtBlendColor(1, 1, 1, NAN); }},
+        {RT_INVALID_VALUE, [] { rtAlphaFunc(RT_LESS, NAN); }},
+        {RT_INVALID_VALUE, [] { rtClearAccum(1, 1, NAN, 1); }},
+        {RT_INVALID_VALUE, [] { rtSampleCoverage(NAN, RT_TRUE); }},
         {RT_INVALID_ENUM, [] { rtActiveTexture(RT_TEXTURE4); }},
         {RT_INVALID_ENUM, [] { rtClientActiveTexture(RT_TEXTURE4); }},
         {RT_INVALID_ENUM, [] { rtMultiTexCoord2f(RT_TEXTURE4, 1, 1); }},
