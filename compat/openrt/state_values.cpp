@@ -101,6 +101,7 @@ std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
     case RT_SHADER_BINDING: return number(recorder.shaders().bound().id);
     case RT_SHADER_CLASS_BINDING: return number(recorder.shaders().boundClass());
     case RT_MAX_OBJECT_DEPTH: return number(kMaxLevels);
+    case RT_OBJECT_INDEX: return number(recorder.openObject());
     case RT_BUILD_QUALITY:
         return number(hints.quality == BuildQuality::Nicest    ? RT_NICEST
                       : hints.quality == BuildQuality::Fastest ? RT_FASTEST

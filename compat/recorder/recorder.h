@@ -39,6 +39,8 @@ public:
     // Where the calls stand. Each throws Error (InvalidOperation) if it does not hold.
     bool insidePrimitive() const { return insidePrimitive_; }
     bool insideObject() const { return open_ != nullptr; }
+    /// Id of the object that is being defined; 0: none.
+    uint32_t openObject() const { return open_ ? open_->id : 0; }
     void requireOutsidePrimitive() const;
     /// Between neither begin and end nor newObject and endObject.
     void requireOutsideObject() const;

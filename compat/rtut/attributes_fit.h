@@ -3,6 +3,17 @@
 
 #include "compat/rtut/drawing_names.h"
 
+/* Whether there is state to be changed: the geometry of an object has none. */
+static inline int hasState(void) {
+#ifdef RTUT_ON_OPENGL
+    return 1;
+#else
+    RTint object = 0;
+    rtGetIntegerv(RT_OBJECT_INDEX, &object);
+    return object == 0;
+#endif
+}
+
 /* Whether attributes can be pushed. It is better than to restore them by hand: a display list that
  * is compiled then restores what is so when it is called. */
 static inline int attributesFit(void) {

@@ -161,12 +161,8 @@ static void drawWirePatch(Point points[4][4], int grid, double scale) {
         }
 }
 
-static void drawTeapot(int grid, RTdouble size, void (*drawPatch)(Point[4][4], int, double)) {
-    const int isPushed = attributesFit(), wasEnabled = rtIsEnabled(RT_NORMALIZE);
+static void drawPatches(int grid, RTdouble size, void (*drawPatch)(Point[4][4], int, double)) {
     int patch, mirror;
-    /* GLUT keeps the lengths of normals right whatever the matrix does. */
-    if (isPushed) rtPushAttrib(RT_ENABLE_BIT);
-    rtEnable(RT_NORMALIZE);
     for (patch = 0; patch < kPatches; ++patch) {
         Point points[4][4], image[4][4];
         fillPatch(patch, points);
@@ -175,6 +171,20 @@ static void drawTeapot(int grid, RTdouble size, void (*drawPatch)(Point[4][4], i
             drawPatch(image, grid, size / 2);
         }
     }
+}
+
+static void drawTeapot(int grid, RTdouble size, void (*drawPatch)(Point[4][4], int, double)) {
+    int isPushed, wasEnabled;
+    if (!hasState()) {
+        drawPatches(grid, size, drawPatch);
+        return;
+    }
+    /* GLUT keeps the lengths of normals right whatever the matrix does. */
+    isPushed = attributesFit();
+    wasEnabled = rtIsEnabled(RT_NORMALIZE);
+    if (isPushed) rtPushAttrib(RT_ENABLE_BIT);
+    rtEnable(RT_NORMALIZE);
+    drawPatches(grid, size, drawPatch);
     if (isPushed)
         rtPopAttrib();
     else if (!wasEnabled)

@@ -103,6 +103,7 @@
 #define RT_OBJECT_SHADER_COUNT 0x7F048  /* rtGetObjectiv: how many shaders an object uses */
 #define RT_ISA_NAMES 0x7F049      /* rtGetString: the instruction sets that can be used */
 #define RT_SHADER_FOLDERS 0x7F04A /* rtGetString: where shader libraries are looked for */
+#define RT_OBJECT_INDEX 0x7F04B   /* rtGetIntegerv: the object that is being defined; 0: none */
 
 /* Frames (rtFrameStatus, rtSetFrameCallback) */
 #define RT_QUEUED 0x7F050         /* no tile of the frame has been started */

@@ -34,6 +34,12 @@ int main(void) {
     CHECK(integerIs(RT_MODELVIEW_STACK_DEPTH, 1) && integerIs(RT_PROJECTION_STACK_DEPTH, 1));
     CHECK(integerIs(RT_MAX_MODELVIEW_STACK_DEPTH, 32) && integerIs(RT_TEXTURE_STACK_DEPTH, 1));
     CHECK(integerIs(RT_MAX_OBJECT_DEPTH, 8) && integerIs(RT_SHADER_BINDING, 0));
+    CHECK(integerIs(RT_OBJECT_INDEX, 0));
+    i = (int)rtNewObject(RT_COMPILE);
+    CHECK(integerIs(RT_OBJECT_INDEX, i));
+    rtEndObject();
+    CHECK(integerIs(RT_OBJECT_INDEX, 0));
+    rtRemoveObject((RTuint)i);
     CHECK(integerIs(RT_UNPACK_ALIGNMENT, 4) && integerIs(RT_SAMPLES, 1));
     CHECK(integerIs(RT_PRECISION_HINT, RT_DONT_CARE));
     CHECK(!rtIsEnabled(RT_MULTISAMPLE) && !rtIsEnabled(RT_FRAMEBUFFER_SRGB));

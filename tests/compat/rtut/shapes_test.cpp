@@ -65,6 +65,7 @@ State state;
 State pushed[kMostAttributes];
 std::size_t depth;
 int attributeErrors, pushes;
+RTint objectIndex; ///< of the object that is being defined
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point cross(const Point& a, const Point& b) {
@@ -114,6 +115,7 @@ void RTAPIENTRY rtGetIntegerv(RTenum name, RTint* values) {
     if (name == RT_ATTRIB_STACK_DEPTH) *values = RTint(depth);
     if (name == RT_MAX_ATTRIB_STACK_DEPTH) *values = RTint(kMostAttributes);
     if (name == RT_POLYGON_MODE) std::copy_n(state.polygonModes, 2, values);
+    if (name == RT_OBJECT_INDEX) *values = objectIndex;
 }
 // Sphere and cone are quadrics, which have a test of their own.
 RTUquadric* RTAPIENTRY rtuNewQuadric(void) { return nullptr; }
@@ -275,6 +277,18 @@ TEST(Shapes, leaveTheAttributesAndTheirStackAsTheyWere) {
                 EXPECT_EQ(attributeErrors, 0);
                 EXPECT_EQ(pushes, before < kMostAttributes); // display lists need it
             }
+}
+
+TEST(Shapes, theTeapotOfAnObjectTouchesNoState) {
+    state = {{RT_FILL, RT_POINT}, false};
+    attributeErrors = pushes = 0;
+    objectIndex = 5;
+    const Drawing inObject = drawn([] { rtutSolidTeapot(2); });
+    objectIndex = 0;
+    EXPECT_EQ(pushes, 0);
+    EXPECT_EQ(inObject.triangles.size(), 32u * 14 * 14 * 2);
+    drawn([] { rtutSolidTeapot(2); });
+    EXPECT_EQ(pushes, 1);
 }
 
 TEST(Shapes, theTeapotIsNewells) {
