@@ -84,6 +84,7 @@ MUTATED = ["compat/recorder/primitive_assembler.cpp", "compat/recorder/transform
            "libsmart/shading/fixed_texture_env.cpp", "libsmart/shading/fixed_triangle.cpp",
            "libsmart/shading/texture.cpp", "libsmart/render/fragments.cpp",
            "libsmart/render/fixed_function_shader.cpp", "libsmart/render/layer_pass.cpp",
+           "libsmart/render/layer_edges.cpp",
            "libsmart/render/line_raster.cpp", "libsmart/render/point_raster.cpp",
            "libsmart/render/image_raster.cpp", "libsmart/render/pixel_primitives.cpp"]
 
