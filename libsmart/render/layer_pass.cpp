@@ -258,13 +258,13 @@ void LayerPass::collect() {
 void LayerPass::gatherHits(uint32_t lane) {
     LayerPassMemory& pass = *pass_;
     const uint32_t bit = 1u << lane;
-    if (((of_->alone | of_->limited) & bit) == 0) return keepHits(lane, pass.met.of(lane));
+    if (((of_->alone | of_->limited) & bit) == 0) return keepHits(lane, pass.met.of(lane), true);
     const auto first = std::ptrdiff_t(pass.hits.size());
     if ((of_->alone & bit) != 0) {
         const Hit nearest = rays_->hit(int(lane));
-        keepHits(lane, {&nearest, 1});
+        keepHits(lane, {&nearest, 1}, false);
     } else {
-        keepHits(lane, pass.met.of(lane));
+        keepHits(lane, pass.met.of(lane), false);
     }
     const auto begin = pass.hits.begin() + first;
     if (begin != pass.hits.end() &&
@@ -274,7 +274,7 @@ void LayerPass::gatherHits(uint32_t lane) {
     RayPacket rays = rays_->rays;
     rays.active = bit;
     services_.findAllHits(rays, pass.beyond);
-    keepHits(lane, pass.beyond.of(lane));
+    keepHits(lane, pass.beyond.of(lane), true);
 }
 
 bool LayerPass::hidesOthers(uint32_t lane, const Hit& nearest) {
@@ -299,7 +299,7 @@ float LayerPass::farthestSeen(uint32_t lane, const Hit& nearest) {
                                       : std::numeric_limits<float>::infinity();
 }
 
-void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met) {
+void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met, bool complete) {
     std::vector<LayerHit>& hits = pass_->hits;
     const std::size_t first = hits.size();
     for (const Hit& hit : met) {
@@ -313,7 +313,7 @@ void LayerPass::keepHits(uint32_t lane, std::span<const Hit> met) {
         kept.counts = isDrawn(surface, hit, lane);
         if (kept.counts) kept.depth = depthOf(surface, hit, lane);
     }
-    keepOwned(std::span(hits).subspan(first), of_->at[lane]);
+    keepOwned(std::span(hits).subspan(first), of_->at[lane], complete);
 }
 
 const LayerSurface& LayerPass::surfaceOf(const Hit& hit) {

@@ -60,7 +60,7 @@ struct LayerPassMemory {
     LayerLanes lanes[kTilePackets]; ///< of the rays
     WayCache<LayerSurface> surfaces;
     std::vector<PixelFragment> covered; ///< by pixel primitives: by entry, then in order
-    AllHits met, beyond;
+    AllHits met, beyond, around;
     // Of the packet, lane after lane, each lane's in order.
     std::vector<LayerHit> hits;
     std::vector<Fragment> fragments;
@@ -107,13 +107,17 @@ private:
     bool decidesAlone(uint32_t lane, const Hit& nearest);
     /// The end of what can be seen of a ray's hits where the nearest of them hides the others.
     float farthestSeen(uint32_t lane, const Hit& nearest);
-    void keepHits(uint32_t lane, std::span<const Hit> met);
+    /// `complete`: these are all hits of the ray. Else one on an edge whose owner is not among
+    /// them is not kept.
+    void keepHits(uint32_t lane, std::span<const Hit> met, bool complete);
     const LayerSurface& surfaceOf(const Hit& hit);
     bool isShown(const RasterTriangle& triangle, const FixedState& state, const Ray& ray) const;
     bool isDrawn(const LayerSurface& surface, const Hit& hit, uint32_t lane) const;
     /// In the window, with the polygon's offset.
     float depthOf(const LayerSurface& surface, const Hit& hit, uint32_t lane) const;
-    void keepOwned(std::span<LayerHit> hits, const glm::dvec2& at);
+    void keepOwned(std::span<LayerHit> hits, const glm::dvec2& at, bool complete);
+    /// Whether a triangle that owns a place is met close by, but is not among all the hits there.
+    bool missesOwner(std::span<const LayerHit> hits, const glm::dvec2& at);
     void addFragments(std::size_t firstHit, uint32_t entry);
     void shade(uint32_t packet);
     void shadeGroup(const ShaderObject* surface, std::span<const WantedColor> wanted);

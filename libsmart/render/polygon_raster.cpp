@@ -89,8 +89,7 @@ bool PolygonRaster::snap(const RasterTriangle& triangle, SnappedTriangle& snappe
     return true;
 }
 
-Coverage PolygonRaster::coverage(const SnappedTriangle& t, const glm::dvec2& at, int& edges) {
-    edges = 0;
+Coverage PolygonRaster::coverage(const SnappedTriangle& t, const glm::dvec2& at) {
     const int64_t px = std::llround(at.x * kSnap), py = std::llround(at.y * kSnap);
     const Wide area = edge(t.x[0], t.y[0], t.x[1], t.y[1], t.x[2], t.y[2]);
     if (area == 0) return Coverage::Boundary;
@@ -103,7 +102,6 @@ Coverage PolygonRaster::coverage(const SnappedTriangle& t, const glm::dvec2& at,
         if (side < 0) return Coverage::Outside;
         const int64_t dx = t.x[b] - t.x[a], dy = t.y[b] - t.y[a];
         const bool filled = dy < 0 || (dy == 0 && dx > 0);
-        edges += side == 0;
         if (side == 0 && !filled) found = Coverage::Boundary;
     }
     return found;

@@ -62,8 +62,8 @@ public:
     /// False where there is no such thing: behind the eye, or with a camera shader.
     bool snap(const RasterTriangle& triangle, SnappedTriangle& snapped) const;
     /// Of triangles that share an edge exactly one owns a point on it: filled are left edges, and
-    /// horizontal ones at the bottom. `edges`: on how many it lies.
-    static Coverage coverage(const SnappedTriangle& triangle, const glm::dvec2& at, int& edges);
+    /// horizontal ones at the bottom.
+    static Coverage coverage(const SnappedTriangle& triangle, const glm::dvec2& at);
 
 private:
     const Frame& layer_;

@@ -105,8 +105,7 @@ TEST(PolygonRaster, LeftAndLowerEdgesAreFilled) {
     const SnappedTriangle upper = snapped({{0, 4}, {0, 0}, {4, 4}});
     using enum Coverage;
     const auto of = [](const SnappedTriangle& triangle, double x, double y) {
-        int edges = 0;
-        return PolygonRaster::coverage(triangle, {x, y}, edges);
+        return PolygonRaster::coverage(triangle, {x, y});
     };
     EXPECT_EQ(of(lower, 3, 1), Owned);
     EXPECT_EQ(of(lower, 2, 0), Owned);    // the bottom
@@ -118,19 +117,6 @@ TEST(PolygonRaster, LeftAndLowerEdgesAreFilled) {
     EXPECT_EQ(of(upper, 0, 0) == Owned ? 1 : 0, of(lower, 0, 0) == Owned ? 0 : 1);
     EXPECT_NE(of(lower, 4, 4), Owned);
     EXPECT_NE(of(upper, 4, 4), Owned);
-}
-
-TEST(PolygonRaster, TellsOnHowManyEdgesAPlaceLies) {
-    const SnappedTriangle triangle = snapped({{0, 0}, {4, 0}, {4, 4}});
-    const auto edgesAt = [&](double x, double y) {
-        int edges = -1;
-        PolygonRaster::coverage(triangle, {x, y}, edges);
-        return edges;
-    };
-    EXPECT_EQ(edgesAt(3, 1), 0);
-    EXPECT_EQ(edgesAt(2, 0), 1);
-    EXPECT_EQ(edgesAt(2, 2), 1);
-    EXPECT_EQ(edgesAt(4, 4), 2);
 }
 
 // A fan around each point of a grid, with all edges through other points of it: each point belongs
@@ -154,9 +140,7 @@ TEST(PolygonRaster, PointsOnSharedEdgesHaveOneOwner) {
         for (int x = 0; x <= 2 * kSide; ++x) {
             int owners = 0, touching = 0;
             for (const SnappedTriangle& triangle : mesh) {
-                int edges = 0;
-                const Coverage found =
-                    PolygonRaster::coverage(triangle, {x / 2.0, y / 2.0}, edges);
+                const Coverage found = PolygonRaster::coverage(triangle, {x / 2.0, y / 2.0});
                 owners += found == Coverage::Owned;
                 touching += found != Coverage::Outside;
             }
