@@ -274,7 +274,7 @@ static void seenThrough(void) {
 }
 
 /* A mesh around the window whose corners and edges run through the centres of pixels, but for the
- * rounding of vertices, matrices and rays: no pixel is drawn twice. */
+ * rounding of vertices, matrices and rays: no pixel is drawn twice, and none is not drawn. */
 static const GLdouble angles[] = {0.0, 0.5, 1.1, 2.3};
 static const GLdouble halfWidths[] = {3.65, 7.3, 11.9, 0.57};
 
@@ -282,6 +282,15 @@ static void meshVertex(int way, int column, int row) {
     const double x = (4 * column + 0.5) / 16 - 1, y = (4 * row + 0.5) / 16 - 1;
     const double wide = halfWidths[way], c = cos(angles[way]), s = sin(angles[way]);
     glVertex2d(wide * (c * x + s * y), wide * (c * y - s * x));
+}
+
+/* How often pixels were drawn: not at all, once, or more. */
+static void tellDrawn(int from, int to) {
+    for (int y = from; y < to; ++y) {
+        for (int x = from; x < to; ++x)
+            putchar(window[y][x][0] > 76 ? 'x' : window[y][x][0] > 25 ? '.' : 'o');
+        putchar('\n');
+    }
 }
 
 static void roundedMeshes(void) {
@@ -320,11 +329,48 @@ static void roundedMeshes(void) {
         glMatrixMode(GL_MODELVIEW);
         glDisable(GL_BLEND);
         readWindow();
-        for (int y = 0; y < kWindow; ++y) {
-            for (int x = 0; x < kWindow; ++x) putchar(window[y][x][0] > 76 ? 'x' : '.');
-            putchar('\n');
-        }
+        tellDrawn(0, kWindow);
     }
+}
+
+/* A square of a list turned about the diagonal that its two triangles share, which stays on pixel
+ * centres but for rounding. Its middle is looked at. */
+static void turnedSquares(void) {
+    static const GLdouble turns[] = {15.0, 20.0, 35.0, 45.0, 50.0};
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    glBegin(GL_TRIANGLES);
+    glVertex2d(-1.0, -1.0), glVertex2d(1.0, -1.0), glVertex2d(1.0, 1.0);
+    glVertex2d(-1.0, -1.0), glVertex2d(1.0, 1.0), glVertex2d(-1.0, 1.0);
+    glEnd();
+    glEndList();
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glLoadIdentity();
+    glFrustum(-0.25, 0.25, -0.25, 0.25, 1.0, 20.0);
+    glMatrixMode(GL_MODELVIEW);
+    glPushMatrix();
+    glColor3f(0.2f, 0.2f, 0.2f);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (int i = 0; i < 5; ++i) {
+        char name[32];
+        snprintf(name, sizeof name, "turned_square/%d", i);
+        beginCase(name);
+        clearBoth();
+        glLoadIdentity();
+        glTranslated(0.0, 0.0, -5.0);
+        glRotated(turns[i], 1.0, 1.0, 0.0);
+        glCallList(list);
+        readWindow();
+        tellDrawn(kWindow / 2 - 6, kWindow / 2 + 6);
+    }
+    glDisable(GL_BLEND);
+    glPopMatrix();
+    glMatrixMode(GL_PROJECTION);
+    glPopMatrix();
+    glMatrixMode(GL_MODELVIEW);
+    glDeleteLists(list, 1);
 }
 
 /* Triangles without neighbours whose edges run through the centres of pixels, in all orders of
@@ -367,5 +413,6 @@ static void askQuestions(void) {
     smoothLines();
     seenThrough();
     roundedMeshes();
+    turnedSquares();
     loneTriangles();
 }

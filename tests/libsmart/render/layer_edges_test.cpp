@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "libsmart/render/layered_tile.h"
@@ -162,8 +163,9 @@ TEST(LayerEdges, OuterEdgesShowWhatIsBehind) {
         scene.add(rectangle(0, 0, 60, 50, -5), {0, 1, 0, 1}, tested);
         scene.add(rectangle(10.5f, 10.5f, 30.5f, 30.5f, 5), {1, 0, 0, 1}, tested);
         if (blended) // behind both, in a box around them
-            scene.add({{{0, 0, -20}, {40, 0, -20}, {0, 40, -20}}, {{41, 0, 20}, {42, 1, 20},
-                       {41, 1, 20}}}, {0, 0, 1, 0.5f}, stateWith([](FixedState& s) {
+            scene.add({{{0, 0, -20}, {40, 0, -20}, {0, 40, -20}},
+                       {{41, 0, 20}, {42, 1, 20}, {41, 1, 20}}},
+                      {0, 0, 1, 0.5f}, stateWith([](FixedState& s) {
                           s.ops.depthTest = true;
                           blendOver(s);
                       }));
