@@ -7,6 +7,8 @@ gl_calls.csv:  every function of OpenGL 1.0 to 1.5 under its rt name. `core` fun
                `how` says where a core function differs from OpenGL's; empty: it does not.
 glu_calls.csv, glut_calls.csv: the same of GLU 1.3 and GLUT 3.7, whose headers are written by hand.
 gl_tokens.csv: every token whose value is OpenGL's.
+gl_extensions.csv: names that core functions and such tokens had in extensions of OpenGL before they
+               became core.
 
 Written are the headers and definitions of OpenGL's refused functions and of its tokens, the names
 of the three libraries below openrt/gl, and the table in docs/porting.md.
@@ -26,6 +28,7 @@ import generate_porting
 
 WIDTH = 100
 CALL_COLUMNS = ["name", "result", "parameters", "version", "chapter", "how", "status"]
+EXTENSION_COLUMNS = ["name", "core", "extension"]
 NOTE = "Written by compat/generate_calls.py; change the table, not this file."
 
 
@@ -127,7 +130,9 @@ def generate(root):
     tables = read_calls(root)
     calls = tables["gl"]
     tokens = read_table(root / "compat/gl_tokens.csv", ["token", "value", "version", "chapter"])
-    for rows, key in (*((rows, "name") for rows in tables.values()), (tokens, "token")):
+    extensions = read_table(root / "compat/gl_extensions.csv", EXTENSION_COLUMNS)
+    for rows, key in (*((rows, "name") for rows in tables.values()), (tokens, "token"),
+                      (extensions, "name")):
         names = [row[key] for row in rows]
         if len(set(names)) != len(names):
             raise SystemExit(f"a {key} is listed twice")
@@ -141,7 +146,7 @@ def generate(root):
             "The tokens that OpenGL 1.2 to 1.5 added, with OpenGL's value."),
         "include/openrt/rt_gl.h": refused_header(refused),
         "compat/openrt/api_refused.cpp": refused_source(refused),
-        **generate_names.generate(root, NOTE, tables, tokens),
+        **generate_names.generate(root, NOTE, tables, tokens, extensions),
         **generate_porting.generate(root, tables),
     }
 

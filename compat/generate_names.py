@@ -31,7 +31,24 @@ def tokens_defined(text, ours, theirs):
             if name.startswith(ours)]
 
 
-def generate(root, note, tables, gl_tokens):
+def extension_names(extensions, calls, gl_tokens):
+    """Lines that define the names of extensions. Tokens are defined as numbers, as in glext.h, so
+    that programs that define them themselves say the same."""
+    known = {row["token"]: row["value"] for row in gl_tokens}
+    known |= {row["name"]: row["name"] for row in calls if row["status"] == "core"}
+    out, extension = [], None
+    for row in extensions:
+        if row["core"] not in known:
+            raise SystemExit(f"{row['name']}: {row['core']} is no core function, nor a token that "
+                             "has OpenGL's value")
+        if row["extension"] != extension:
+            extension = row["extension"]
+            out += ["", f"/* {extension} */"]
+        out.append(f"#define {row['name']} {known[row['core']]}")
+    return out[1:]
+
+
+def generate(root, note, tables, gl_tokens, extensions):
     """Path -> text; `tables`: the rows of functions of gl, glu and glut."""
     def path(name):
         return f"include/openrt/gl/{name}.h"
@@ -47,6 +64,10 @@ def generate(root, note, tables, gl_tokens):
                 if row["version"] in wanted]
 
     return {
+        path("extensions"): header("extensions", note,
+                                   "Names of OpenGL's extensions for what became core in 1.1 to "
+                                   "1.5.", [],
+                                   extension_names(extensions, tables["gl"], gl_tokens)),
         path("functions"): header("functions", note, "The functions of OpenGL 1.5.",
                                   functions(tables["gl"], "rt", "gl")),
         path("tokens_1_1"): header("tokens_1_1", note, "The tokens of OpenGL 1.0 and 1.1.",

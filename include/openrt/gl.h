@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Include this in place of the headers of OpenGL, GLU and GLUT, and a program in their names is one
  * of this library: types, tokens and functions of OpenGL 1.5, GLU 1.3 and GLUT 3.7 are macros and
- * types for those of openrt/rt.h, rtu.h and rtut.h. Or leave the program as it is and compile it
+ * types for those of openrt/rt.h, rtu.h and rtut.h; so are names that extensions had for what
+ * became core, as GL_BGR_EXT and glActiveTextureARB. Or leave the program as it is and compile it
  * with `-include openrt/gl.h`: <GL/gl.h>, <GL/glu.h>, <GL/glut.h> and the like are then empty, as
  * this header defines what guards them. Where the system has no such headers, add the folder
  * openrt/gl to the compiler's search path: its GL/gl.h, GL/glu.h, GL/glut.h include this one.
@@ -17,6 +18,7 @@
 /* For the lines of a port that are for this library only. */
 #define OPENRT 1
 
+#include "openrt/gl/extensions.h"
 #include "openrt/gl/functions.h"
 #include "openrt/gl/glu_names.h"
 #include "openrt/gl/glut_names.h"

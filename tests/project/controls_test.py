@@ -255,14 +255,17 @@ class HeadersAlone(unittest.TestCase):
 class OpenglNames(unittest.TestCase):
     CALL = {"name": "rtClear", "result": "void", "parameters": "RTbitfield mask"}
 
-    def problems(self, declaration, tokens=""):
+    def problems(self, declaration, tokens="", extensions=(), names=""):
         with tempfile.TemporaryDirectory() as folder:
             include = pathlib.Path(folder, "openrt")
             include.mkdir()
+            pathlib.Path(include, "gl.h").write_text(
+                "#include <openrt/rt.h>\n" + names, encoding="utf-8")
             pathlib.Path(include, "rt.h").write_text(
                 "typedef unsigned RTbitfield;\n" + declaration + tokens, encoding="utf-8")
             pathlib.Path(include, "rt_gl.h").write_text("", encoding="utf-8")
-            return opengl_names.problems([self.CALL], [{"token": "RT_FOG"}], "cc", [folder])
+            return opengl_names.problems([self.CALL], [{"token": "RT_FOG"}], "cc", [folder],
+                                         extensions)
 
     def test_accepts_opengl_names(self):
         self.assertEqual(self.problems("void rtClear(RTbitfield mask);\n",
@@ -276,6 +279,22 @@ class OpenglNames(unittest.TestCase):
         self.assertNotEqual(self.problems("void rtClear(RTbitfield mask);\n"), [])
         self.assertNotEqual(self.problems("void rtClear(RTbitfield mask);\n",
                                           "#define RT_FOG 0x0B61\n"), [])
+
+    def test_names_of_extensions(self):
+        declared = ("void rtClear(RTbitfield mask);\nvoid rtActiveTexture(unsigned texture);\n",
+                    "#define RT_FOG 0x0B60\n#define RT_BGR 0x80E0\n#define RT_BGRA 0x80E1\n")
+        token = {"name": "GL_BGR_EXT", "core": "RT_BGR"}
+        function = {"name": "glActiveTextureARB", "core": "rtActiveTexture"}
+        names = "#define GL_BGR_EXT 0x80E0\n#define glActiveTextureARB rtActiveTexture\n"
+        good = [token, function]
+        self.assertEqual(self.problems(*declared, good, names), [])
+        self.assertNotEqual(self.problems(*declared, good, ""), [])
+        self.assertNotEqual(self.problems(*declared, [token], names.replace("E0", "E1")), [])
+        self.assertNotEqual(self.problems(*declared, [function], ""), [])
+        for row in ({**token, "core": "RT_BGRA"}, {**token, "name": "GL_BGR_SGIS"},
+                    {**function, "core": "rtClear"}, {**function, "name": "glActiveARB"}):
+            named = f"#define {row['name']} {row['core']}\n"
+            self.assertNotEqual(self.problems(*declared, [row], named), [], row)
 
 
 class InterfaceKept(unittest.TestCase):
