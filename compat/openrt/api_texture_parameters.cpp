@@ -2,6 +2,7 @@
 // How textures are looked up, and what is known of their levels.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 #include "compat/openrt/guard.h"
@@ -179,10 +180,13 @@ void getLevelParameter(const char* function, RTenum target, RTint level, RTenum 
                        T* params) noexcept {
     guarded(function, [&](Context& c) {
         const TextureStore& textures = c.recorder().textures();
-        const TextureTarget bound = textureTargetOf(target);
+        const std::optional<TextureTarget> proxied = proxiedTargetOf(target);
+        const TextureTarget bound = proxied ? *proxied : textureTargetOf(target);
         if (level < 0 || uint32_t(level) > TextureStore::kMaxLevel)
             throwError(ErrorCode::InvalidValue, "levels go from 0 to 14");
-        const StateValue value = levelValue(textures.info(uint32_t(level), bound), pname);
+        const auto number = uint32_t(level);
+        const StateValue value = levelValue(
+            proxied ? textures.proxy(number, bound) : textures.info(number, bound), pname);
         requirePointer(params, "params");
         *params = value.as<T>(0);
     });

@@ -71,12 +71,14 @@ TexturePixels pixelsOf(Context& c, RTenum format, RTenum type, const void* pixel
             c.recorder().pixelDrawingNow().transfer};
 }
 
-/// The application's memory is read when the call is made, also for display lists.
+/// The application's memory is read when the call is made, also for display lists. Of proxies
+/// nothing is read, and they are no part of lists (OpenGL 1.5, section 5.4).
 void texImage(const char* function, RTenum target, const TextureImageCall& call, RTenum format,
               RTenum type, const void* pixels) noexcept {
     TextureImagePtr image;
     bool made = false;
     guarded(function, [&](Context& c) {
+        if (proxiedTargetOf(target) == call.target) return setProxyImage(c, call, format, type);
         checkTextureTarget(target, call.target);
         image = makeTextureImage(call, pixelsOf(c, format, type, pixels));
         made = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compat/openrt/image_formats.h"
 
-#include <optional>
+#include <string>
 
 #include "compat/openrt/guard.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 } // namespace
 
-InternalFormat internalFormatOf(RTint format) {
+std::optional<InternalFormat> findInternalFormat(RTint format) {
     switch (format) {
     case 1:
     case RT_LUMINANCE:
@@ -23,7 +23,7 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_LUMINANCE8:
     case RT_LUMINANCE12:
     case RT_LUMINANCE16:
-    case RT_COMPRESSED_LUMINANCE: return {1, false};
+    case RT_COMPRESSED_LUMINANCE: return InternalFormat{1, false};
     case 2:
     case RT_LUMINANCE_ALPHA:
     case RT_LUMINANCE4_ALPHA4:
@@ -32,7 +32,7 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_LUMINANCE12_ALPHA4:
     case RT_LUMINANCE12_ALPHA12:
     case RT_LUMINANCE16_ALPHA16:
-    case RT_COMPRESSED_LUMINANCE_ALPHA: return {2, false};
+    case RT_COMPRESSED_LUMINANCE_ALPHA: return InternalFormat{2, false};
     case 3:
     case RT_RGB:
     case RT_R3_G3_B2:
@@ -42,7 +42,7 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_RGB10:
     case RT_RGB12:
     case RT_RGB16:
-    case RT_COMPRESSED_RGB: return {3, false};
+    case RT_COMPRESSED_RGB: return InternalFormat{3, false};
     case 4:
     case RT_RGBA:
     case RT_RGBA2:
@@ -52,29 +52,34 @@ InternalFormat internalFormatOf(RTint format) {
     case RT_RGB10_A2:
     case RT_RGBA12:
     case RT_RGBA16:
-    case RT_COMPRESSED_RGBA: return {4, false};
+    case RT_COMPRESSED_RGBA: return InternalFormat{4, false};
     case RT_SRGB:
-    case RT_SRGB8: return {3, true};
+    case RT_SRGB8: return InternalFormat{3, true};
     case RT_SRGB_ALPHA:
-    case RT_SRGB8_ALPHA8: return {4, true};
+    case RT_SRGB8_ALPHA8: return InternalFormat{4, true};
     case RT_ALPHA:
     case RT_ALPHA4:
     case RT_ALPHA8:
     case RT_ALPHA12:
     case RT_ALPHA16:
-    case RT_COMPRESSED_ALPHA: return {4, false, TexelFormat::Alpha};
+    case RT_COMPRESSED_ALPHA: return InternalFormat{4, false, TexelFormat::Alpha};
     case RT_INTENSITY:
     case RT_INTENSITY4:
     case RT_INTENSITY8:
     case RT_INTENSITY12:
     case RT_INTENSITY16:
-    case RT_COMPRESSED_INTENSITY: return {4, false, TexelFormat::Intensity};
+    case RT_COMPRESSED_INTENSITY: return InternalFormat{4, false, TexelFormat::Intensity};
     case RT_DEPTH_COMPONENT:
     case RT_DEPTH_COMPONENT16:
     case RT_DEPTH_COMPONENT24:
-    case RT_DEPTH_COMPONENT32: notInRelease("this internal format");
+    case RT_DEPTH_COMPONENT32: return std::nullopt;
     default: throwError(ErrorCode::InvalidValue, "unknown internal format");
     }
+}
+
+InternalFormat internalFormatOf(RTint format) {
+    if (const std::optional<InternalFormat> found = findInternalFormat(format)) return *found;
+    notInRelease("this internal format");
 }
 
 namespace {
@@ -211,9 +216,10 @@ TextureTarget textureTargetOf(RTenum target) {
     switch (target) {
     case RT_TEXTURE_1D: return TextureTarget::OneDimensional;
     case RT_TEXTURE_2D: return TextureTarget::TwoDimensional;
-    case RT_TEXTURE_3D:
     case RT_PROXY_TEXTURE_1D:
     case RT_PROXY_TEXTURE_2D:
+        throwError(ErrorCode::InvalidEnum, "a proxy has no image and no parameters");
+    case RT_TEXTURE_3D:
     case RT_PROXY_TEXTURE_3D:
     case RT_TEXTURE_CUBE_MAP:
     case RT_TEXTURE_CUBE_MAP_POSITIVE_X:
@@ -224,6 +230,14 @@ TextureTarget textureTargetOf(RTenum target) {
     case RT_TEXTURE_CUBE_MAP_NEGATIVE_Z:
     case RT_PROXY_TEXTURE_CUBE_MAP: notInRelease("this texture target");
     default: throwError(ErrorCode::InvalidEnum, "unknown texture target");
+    }
+}
+
+std::optional<TextureTarget> proxiedTargetOf(RTenum target) {
+    switch (target) {
+    case RT_PROXY_TEXTURE_1D: return TextureTarget::OneDimensional;
+    case RT_PROXY_TEXTURE_2D: return TextureTarget::TwoDimensional;
+    default: return std::nullopt;
     }
 }
 

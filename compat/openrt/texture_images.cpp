@@ -2,6 +2,7 @@
 #include "compat/openrt/texture_images.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,19 +22,41 @@ void checkSize(RTsizei width, RTsizei height) {
     if (width < 0 || height < 0) throwError(ErrorCode::InvalidValue, "an image's size is negative");
 }
 
+uint32_t largestSide(RTint level) {
+    return TextureStore::kMaxSize >> level;
+}
+bool fitsLevel(RTint level, RTsizei width, RTsizei height) {
+    return uint32_t(width) <= largestSide(level) && uint32_t(height) <= largestSide(level);
+}
+
 void checkSizeOfLevel(RTint level, RTsizei width, RTsizei height) {
     checkSize(width, height);
-    const uint32_t largest = TextureStore::kMaxSize >> level;
-    if (uint32_t(width) > largest || uint32_t(height) > largest)
+    if (!fitsLevel(level, width, height))
         throwError(ErrorCode::InvalidValue,
                    "images of level " + std::to_string(level) + " have " +
-                       std::to_string(largest) + " texels a side at most");
+                       std::to_string(largestSide(level)) + " texels a side at most");
 }
 
 void checkBorder(RTint border) {
     if (border < 0 || border > 1) throwError(ErrorCode::InvalidValue, "a border is 0 or 1");
+}
+void refuseBorder(RTint border) {
     if (border > 0)
         throwError(ErrorCode::InvalidOperation, "texture borders are not part of this release");
+}
+
+/// The layout of pixels that go into an image of colours (or, empty `internal`, of depths); empty:
+/// OpenGL has such images, this library has not.
+std::optional<PixelLayout> layoutFor(const std::optional<InternalFormat>& internal, RTenum format,
+                                     RTenum type) {
+    const bool areIndices = format == RT_COLOR_INDEX;
+    if (areIndices && type == RT_BITMAP && internal) return std::nullopt;
+    const PixelLayout layout = pixelLayoutOf(areIndices ? RT_RED : format, type);
+    if ((layout.order == PixelOrder::Depth) == internal.has_value())
+        throwError(ErrorCode::InvalidOperation,
+                   "an image holds depths, its pixels colours, or the other way round");
+    if (areIndices || !internal) return std::nullopt;
+    return layout;
 }
 
 TextureImage imageOf(const TexturePixels& pixels, RTsizei width, RTsizei height,
@@ -52,6 +75,7 @@ void checkTextureImage(const TextureImageCall& call) {
     checkLevel(call.level);
     checkSizeOfLevel(call.level, call.width, call.height);
     checkBorder(call.border);
+    refuseBorder(call.border);
 }
 
 void checkTexturePart(Context& context, const TexturePartCall& call) {
@@ -76,6 +100,21 @@ void setTextureImage(Context& context, const TextureImageCall& call, TextureImag
                                            call.internalFormat,
                                            internalFormatOf(call.internalFormat).format,
                                            call.target);
+}
+
+void setProxyImage(Context& context, const TextureImageCall& call, RTenum format, RTenum type) {
+    TextureStore& textures = context.recorder().textures();
+    const std::optional<InternalFormat> internal = findInternalFormat(call.internalFormat);
+    const std::optional<PixelLayout> layout = layoutFor(internal, format, type);
+    checkLevel(call.level);
+    checkSize(call.width, call.height);
+    checkBorder(call.border);
+    TextureLevelInfo info;
+    if (layout && call.border == 0 && call.width > 0 && call.height > 0 &&
+        fitsLevel(call.level, call.width, call.height))
+        info = {uint32_t(call.width), uint32_t(call.height), internal->channels,
+                texelTypeFor(*layout), call.internalFormat,  internal->format};
+    textures.setProxy(uint32_t(call.level), info, call.target);
 }
 
 void replaceTexturePart(Context& context, const TexturePartCall& call,

@@ -36,6 +36,9 @@ void checkTexturePart(Context& context, const TexturePartCall& call);
 TextureImagePtr makeTextureImage(const TextureImageCall& call, const TexturePixels& pixels);
 /// A level of the bound texture anew.
 void setTextureImage(Context& context, const TextureImageCall& call, TextureImagePtr image);
+/// What OpenGL keeps of a proxy's level, OpenGL 1.5, section 3.8.11: how the image would be, without
+/// one; 0 where the library can not have it. Throws Error only for what is wrong in itself.
+void setProxyImage(Context& context, const TextureImageCall& call, RTenum format, RTenum type);
 /// A part of a level anew, after the check.
 void replaceTexturePart(Context& context, const TexturePartCall& call,
                         const TexturePixels& pixels);

@@ -77,6 +77,14 @@ public:
     void setParameters(const TextureParameters& parameters,
                        TextureTarget target = kDefaultTarget);
 
+    // Of the proxies, of which there is one for each target: how an image would be, without one.
+    void setProxy(uint32_t level, const TextureLevelInfo& info, TextureTarget target) {
+        proxies_[std::size_t(target)][level] = info;
+    }
+    const TextureLevelInfo& proxy(uint32_t level, TextureTarget target) const {
+        return proxies_[std::size_t(target)][level];
+    }
+
     /// The table as it is now; the same one again if nothing changed since. An incomplete texture
     /// is its base level, enlarged or reduced by the magnification filter.
     std::shared_ptr<const TextureTable> freeze();
@@ -129,6 +137,7 @@ private:
     };
     Bindings bound_[kTextureUnits];
     std::size_t unit_ = 0;
+    TextureLevelInfo proxies_[2][kMaxLevel + 1]; ///< by target and level
     uint32_t lastGenerated_ = 0;
     std::shared_ptr<const TextureTable> table_; ///< nullptr: something changed
 };

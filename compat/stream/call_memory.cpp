@@ -156,6 +156,13 @@ public:
                           fields ? fields : bytesOfPixelComponent(type), store);
     }
 
+    /// Images of proxies have no pixels, whatever the pointer is.
+    bool ofProxy() const {
+        if (std::strncmp(call_.name, "rtTexImage", 10) != 0) return false;
+        const auto target = RTenum(named("target", 0));
+        return target == RT_PROXY_TEXTURE_1D || target == RT_PROXY_TEXTURE_2D;
+    }
+
 private:
     const CallSignature& call_;
     const CallValue* arguments_;
@@ -284,6 +291,7 @@ uint64_t memoryBytes(const CallSignature& call, const CallParameter& parameter,
         if (parameter.amount) return bitmapBytes({32, 32}, stores.unpack);
         return bitmapBytes(sizes.extent("width", "height"), stores.unpack);
     case Memory::Image:
+        if (sizes.ofProxy()) return 0;
         if (argumentNamed(call, "wIn", arguments))
             return sizes.image(sizes.extent("wIn", "hIn"), "typeIn", stores.unpack);
         return sizes.image(sizes.extent("width", "height"), "type", stores.unpack);

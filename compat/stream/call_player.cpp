@@ -265,7 +265,8 @@ private:
             const auto size = v[1].as<RTsizeiptr>();
             if (size > 0 && uint64_t(size) > limits_.memory)
                 throw StreamError("a buffer is larger than the player allows");
-        } else if (isCall(call, "rtTexImage2D")) {
+        } else if (isCall(call, "rtTexImage2D") &&
+                   v[0].as<RTenum>() != RT_PROXY_TEXTURE_2D) {
             const auto side = [&](std::size_t i) {
                 return uint64_t(std::max(v[i].as<RTint>(), 0));
             };

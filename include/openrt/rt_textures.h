@@ -57,6 +57,12 @@ RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture);
  * after it are dropped and made from it, in linear light, when the first look-up needs them. A
  * texture whose minification filter needs levels that are not there, or that have other sizes or
  * another internal format, is looked up in its base level by RT_TEXTURE_MAG_FILTER.
+ *
+ * The target RT_PROXY_TEXTURE_2D asks whether there could be such an image: pixels are not read, no
+ * texture changes, and rtGetTexLevelParameter of that target says how the image's level would be,
+ * or 0 for all if it is too large, or its border, format or type are not part of this release; none
+ * of that is an error. There is one such state a context. The call is made at once where a display
+ * list is compiled.
  * Errors:  RT_INVALID_ENUM       target, format or type is no such token
  *          RT_INVALID_VALUE      size, level, border or internalFormat out of range
  *          RT_INVALID_OPERATION  a target, border, format or type that OpenGL has and this release
@@ -66,7 +72,8 @@ RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFor
                                    RTsizei height, RTint border, RTenum format, RTenum type,
                                    const void *pixels);
 
-/* The same for the bound texture of one dimension, whose images have one row.
+/* The same for the bound texture of one dimension, whose images have one row, and for
+ * RT_PROXY_TEXTURE_1D.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTint border, RTenum format, RTenum type, const void *pixels);
@@ -127,7 +134,9 @@ RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum target, RTenum pname, RTfloat *
 
 /* RT_TEXTURE_WIDTH, _HEIGHT, _BORDER, _INTERNAL_FORMAT of a level of the bound texture, and the
  * bits of its components: RT_TEXTURE_RED_SIZE, _GREEN_SIZE, _BLUE_SIZE, _ALPHA_SIZE,
- * _LUMINANCE_SIZE. Levels that the library makes have them too, levels without an image 0.
+ * _LUMINANCE_SIZE. Levels that the library makes have them too, levels without an image 0. Of
+ * RT_PROXY_TEXTURE_1D and _2D: what rtTexImage said there; all other calls refuse these targets with
+ * RT_INVALID_ENUM.
  * Errors:  RT_INVALID_ENUM       target or pname is no such token
  *          RT_INVALID_VALUE      level out of range, params NULL
  *          RT_INVALID_OPERATION  RT_TEXTURE_COMPRESSED_IMAGE_SIZE: nothing is compressed

@@ -144,6 +144,45 @@ static RTuint getLevelLevel(void) {
     rtGetTexLevelParameteriv(RT_TEXTURE_2D, 15, RT_TEXTURE_WIDTH, &value);
     return value == 7 ? 0 : 1;
 }
+static RTuint proxyBound(void) { return rtBindTexture(RT_PROXY_TEXTURE_2D, 1), 0u; }
+static RTuint proxyEnabled(void) { return rtEnable(RT_PROXY_TEXTURE_2D), 0u; }
+static RTuint proxyPart(void) {
+    rtTexSubImage2D(RT_PROXY_TEXTURE_2D, 0, 0, 0, 1, 1, RT_RGB, RT_UNSIGNED_BYTE, partTexels);
+    return 0;
+}
+static RTuint proxyCopy(void) {
+    return rtCopyTexImage2D(RT_PROXY_TEXTURE_2D, 0, RT_RGB, 0, 0, 1, 1, 0), 0u;
+}
+static RTuint proxyParameter(void) {
+    return rtTexParameteri(RT_PROXY_TEXTURE_2D, RT_TEXTURE_WRAP_S, RT_REPEAT), 0u;
+}
+static RTuint proxyGetParameter(void) {
+    RTint value = 7;
+    rtGetTexParameteriv(RT_PROXY_TEXTURE_1D, RT_TEXTURE_WRAP_S, &value);
+    return value == 7 ? 0 : 1;
+}
+static RTuint proxyGetImage(void) {
+    RTubyte texel[4] = {7, 7, 7, 7};
+    rtGetTexImage(RT_PROXY_TEXTURE_2D, 0, RT_RGBA, RT_UNSIGNED_BYTE, texel);
+    return texel[0] == 7 ? 0 : 1;
+}
+static RTuint proxyGetLevel(void) {
+    RTint value = 7;
+    rtGetTexLevelParameteriv(RT_PROXY_TEXTURE_2D, 15, RT_TEXTURE_WIDTH, &value);
+    return value == 7 ? 0 : 1;
+}
+static RTuint proxyLevel(void) {
+    rtTexImage2D(RT_PROXY_TEXTURE_2D, 15, RT_RGB, 1, 1, 0, RT_RGB, RT_UNSIGNED_BYTE, NULL);
+    return 0;
+}
+static RTuint proxyDimensions(void) {
+    rtTexImage1D(RT_PROXY_TEXTURE_2D, 0, RT_RGB, 1, 0, RT_RGB, RT_UNSIGNED_BYTE, NULL);
+    return 0;
+}
+static RTuint proxyCube(void) {
+    rtTexImage2D(RT_PROXY_TEXTURE_CUBE_MAP, 0, RT_RGB, 1, 1, 0, RT_RGB, RT_UNSIGNED_BYTE, NULL);
+    return 0;
+}
 static RTuint storeUnknown(void) { return rtPixelStorei(0xABCD, 1), 0u; }
 static RTuint storeAlignment(void) { return rtPixelStorei(RT_UNPACK_ALIGNMENT, 3), 0u; }
 static RTuint storeNegative(void) { return rtPixelStoref(RT_UNPACK_ROW_LENGTH, -1), 0u; }
@@ -228,6 +267,17 @@ int main(void) {
         MISUSE(getParameterName, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(getLevelName, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(getLevelLevel, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(proxyBound, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyEnabled, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyPart, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyCopy, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyParameter, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyGetParameter, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyGetImage, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyGetLevel, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(proxyLevel, OUTSIDE, RT_INVALID_VALUE),
+        MISUSE(proxyDimensions, OUTSIDE, RT_INVALID_ENUM),
+        MISUSE(proxyCube, OUTSIDE, RT_INVALID_OPERATION),
         MISUSE(storeUnknown, OUTSIDE, RT_INVALID_ENUM),
         MISUSE(storeAlignment, OUTSIDE, RT_INVALID_VALUE),
         MISUSE(storeNegative, OUTSIDE, RT_INVALID_VALUE),

@@ -352,6 +352,114 @@ static void parameters(void) {
     CHECK_ERROR(RT_NO_ERROR);
 }
 
+/* Level's value, or -77. */
+static RTint levelOf(RTenum target, RTint level, RTenum name) {
+    RTint value = -77;
+    rtGetTexLevelParameteriv(target, level, name, &value);
+    return value;
+}
+
+static RTint proxyWidth(RTint level, RTint internalFormat, RTsizei width, RTsizei height,
+                        RTint border, RTenum format, RTenum type) {
+    rtTexImage2D(RT_PROXY_TEXTURE_2D, level, internalFormat, width, height, border, format, type,
+                 (const void *)1); /* is not read */
+    return levelOf(RT_PROXY_TEXTURE_2D, level, RT_TEXTURE_WIDTH);
+}
+
+/* OpenGL 1.5, section 3.8.11. */
+static void proxies(void) {
+    static const RTenum twice[] = {RT_TEXTURE_2D, RT_PROXY_TEXTURE_2D};
+    static const RTenum names[] = {RT_TEXTURE_WIDTH,          RT_TEXTURE_HEIGHT,
+                                   RT_TEXTURE_DEPTH,          RT_TEXTURE_BORDER,
+                                   RT_TEXTURE_RED_SIZE,       RT_TEXTURE_GREEN_SIZE,
+                                   RT_TEXTURE_BLUE_SIZE,      RT_TEXTURE_ALPHA_SIZE,
+                                   RT_TEXTURE_LUMINANCE_SIZE, RT_TEXTURE_INTENSITY_SIZE,
+                                   RT_TEXTURE_COMPRESSED,     RT_TEXTURE_INTERNAL_FORMAT};
+    static const RTint formats[] = {1, RT_RGB5, RT_RGBA8, RT_ALPHA, RT_INTENSITY16, RT_SRGB8};
+    enum { nameCount = sizeof names / sizeof *names };
+    RTfloat number = -77;
+    RTint bound = -77;
+    RTuint list;
+    int i, k;
+    startTextures();
+    for (i = 0; i < nameCount - 1; ++i) CHECK(levelOf(RT_PROXY_TEXTURE_1D, 3, names[i]) == 0);
+    CHECK(levelOf(RT_PROXY_TEXTURE_2D, 0, RT_TEXTURE_INTERNAL_FORMAT) == 1);
+
+    /* What a proxy says is what the texture says. */
+    rtBindTexture(RT_TEXTURE_2D, 1);
+    for (i = 0; i < (int)(sizeof formats / sizeof *formats); ++i) {
+        const RTenum type = i % 2 ? RT_UNSIGNED_SHORT : RT_UNSIGNED_BYTE;
+        for (k = 0; k < 2; ++k)
+            rtTexImage2D(twice[k], i, formats[i], 5, 3, 0, RT_RGBA, type, NULL);
+        for (k = 0; k < nameCount; ++k)
+            CHECK(levelOf(RT_TEXTURE_2D, i, names[k]) ==
+                  levelOf(RT_PROXY_TEXTURE_2D, i, names[k]));
+    }
+    /* The texture and other levels stay. */
+    CHECK(proxyWidth(0, RT_RGB, 64, 32, 0, RT_RGB, RT_UNSIGNED_BYTE) == 64);
+    rtGetTexLevelParameterfv(RT_PROXY_TEXTURE_2D, 0, RT_TEXTURE_HEIGHT, &number);
+    CHECK(number == 32 && levelOf(RT_PROXY_TEXTURE_2D, 1, RT_TEXTURE_WIDTH) == 5);
+    CHECK(levelOf(RT_TEXTURE_2D, 0, RT_TEXTURE_WIDTH) == 5);
+    rtGetIntegerv(RT_TEXTURE_BINDING_2D, &bound);
+    CHECK(bound == 1);
+    CHECK_ERROR(RT_NO_ERROR);
+
+    /* The largest; what the library can not have, without an error. */
+    CHECK(proxyWidth(0, RT_RGBA, 16384, 16384, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 16384);
+    CHECK(proxyWidth(0, RT_RGBA, 16385, 1, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 0);
+    for (i = 0; i < nameCount - 1; ++i) CHECK(levelOf(RT_PROXY_TEXTURE_2D, 0, names[i]) == 0);
+    CHECK(proxyWidth(0, RT_RGBA, 8, 1 << 30, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 0);
+    CHECK(proxyWidth(14, RT_RGBA, 1, 1, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 1);
+    CHECK(proxyWidth(14, RT_RGBA, 1, 2, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 0);
+    CHECK(proxyWidth(2, RT_RGBA, 0, 2, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 0);
+    CHECK(proxyWidth(2, RT_RGBA, 6, 6, 1, RT_RGBA, RT_UNSIGNED_BYTE) == 0);
+    CHECK(proxyWidth(2, RT_RGBA, 6, 6, 0, RT_COLOR_INDEX, RT_BITMAP) == 0);
+    CHECK(proxyWidth(2, RT_DEPTH_COMPONENT24, 6, 6, 0, RT_DEPTH_COMPONENT, RT_FLOAT) == 0);
+    CHECK_ERROR(RT_NO_ERROR);
+
+    /* What is wrong for every target is an error and leaves the proxy. */
+    CHECK(proxyWidth(2, RT_RGBA, 6, 6, 0, RT_RGBA, RT_FLOAT) == 6);
+    CHECK(proxyWidth(2, RT_RGBA, -1, 6, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 6);
+    CHECK_ERROR(RT_INVALID_VALUE);
+    CHECK(proxyWidth(2, RT_RGBA, 1 << 20, 6, 2, RT_RGBA, RT_UNSIGNED_BYTE) == 6);
+    CHECK_ERROR(RT_INVALID_VALUE);
+    CHECK(proxyWidth(2, 99, 1 << 20, 6, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 6);
+    CHECK_ERROR(RT_INVALID_VALUE);
+    CHECK(proxyWidth(2, RT_RGBA, 1 << 20, 6, 0, RT_RGBA, 0xABCD) == 6);
+    CHECK_ERROR(RT_INVALID_ENUM);
+    CHECK(proxyWidth(2, RT_RGBA, 1 << 20, 6, 0, RT_COLOR_INDEX, 0xABCD) == 6);
+    CHECK_ERROR(RT_INVALID_ENUM);
+    CHECK(proxyWidth(2, RT_DEPTH_COMPONENT, 6, 6, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 6);
+    CHECK_ERROR(RT_INVALID_OPERATION);
+    CHECK(proxyWidth(2, RT_RGBA, 6, 6, 0, RT_DEPTH_COMPONENT, RT_FLOAT) == 6);
+    CHECK_ERROR(RT_INVALID_OPERATION);
+    rtBegin(RT_TRIANGLES);
+    rtTexImage2D(RT_PROXY_TEXTURE_2D, 2, RT_RGB, 9, 9, 0, RT_RGB, RT_UNSIGNED_BYTE, NULL);
+    rtEnd();
+    CHECK_ERROR(RT_INVALID_OPERATION);
+    CHECK(levelOf(RT_PROXY_TEXTURE_2D, 2, RT_TEXTURE_WIDTH) == 6);
+
+    /* Each number of dimensions has its own. */
+    rtTexImage1D(RT_PROXY_TEXTURE_1D, 2, RT_LUMINANCE, 7, 0, RT_RGB, RT_UNSIGNED_BYTE, NULL);
+    CHECK(levelOf(RT_PROXY_TEXTURE_1D, 2, RT_TEXTURE_WIDTH) == 7);
+    CHECK(levelOf(RT_PROXY_TEXTURE_1D, 2, RT_TEXTURE_HEIGHT) == 1);
+    CHECK(levelOf(RT_PROXY_TEXTURE_1D, 2, RT_TEXTURE_LUMINANCE_SIZE) == 8);
+    CHECK(levelOf(RT_PROXY_TEXTURE_2D, 2, RT_TEXTURE_WIDTH) == 6);
+    CHECK_ERROR(RT_NO_ERROR);
+
+    /* Lists do not keep the call: it is made at once, and only then. */
+    list = rtGenLists(1);
+    rtNewList(list, RT_COMPILE);
+    rtTexImage2D(RT_PROXY_TEXTURE_2D, 2, RT_RGB, 9, 9, 0, RT_RGB, RT_UNSIGNED_BYTE, NULL);
+    CHECK(levelOf(RT_PROXY_TEXTURE_2D, 2, RT_TEXTURE_WIDTH) == 9);
+    rtEndList();
+    CHECK(proxyWidth(2, RT_RGBA, 6, 6, 0, RT_RGBA, RT_UNSIGNED_BYTE) == 6);
+    rtCallList(list);
+    CHECK(levelOf(RT_PROXY_TEXTURE_2D, 2, RT_TEXTURE_WIDTH) == 6);
+    rtDeleteLists(list, 1);
+    CHECK_ERROR(RT_NO_ERROR);
+}
+
 int main(void) {
     names();
     mipmaps();
@@ -359,6 +467,7 @@ int main(void) {
     halves();
     borders();
     parameters();
+    proxies();
     formats();
     unpacking();
     lookups();
