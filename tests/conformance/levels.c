@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Which level of a texture a fragment gets: on flat, turned and slanted triangles and on lines, in
- * two units and several viewports. */
+ * two units and several viewports; what proxies say of levels that a texture might have. */
 #define GL_GLEXT_PROTOTYPES
 #include "tests/conformance/window_pixels.h"
 
@@ -227,6 +227,73 @@ static void lines(void) {
     dropLevels();
 }
 
+static void tellProxy(GLenum target, GLint level) {
+    static const GLenum asked[] = {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_BORDER};
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i) {
+        GLint integer = -1;
+        glGetTexLevelParameteriv(target, level, asked[i], &integer);
+        printf("%d ", integer);
+    }
+    printf("\n");
+    tellError();
+}
+
+static void tellProxyImage(GLint level, GLint internalFormat, GLsizei width, GLsizei height,
+                           GLint border, GLenum format, GLenum type) {
+    glTexImage2D(GL_PROXY_TEXTURE_2D, level, internalFormat, width, height, border, format, type,
+                 NULL);
+    tellError();
+    tellProxy(GL_PROXY_TEXTURE_2D, 1);
+}
+
+/* What is asked of images that are too large, and of wrong ones; what a proxy is not. */
+static void proxies(void) {
+    GLubyte memory[16 * 8 * 4] = {0};
+    GLint value = -1;
+    beginCase("proxies");
+    tellProxy(GL_PROXY_TEXTURE_1D, 0);
+    tellProxyImage(1, GL_RGB, 64, 32, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    tellProxyImage(1, GL_RGB, -1, 32, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    tellProxyImage(1, GL_RGB, 64, 32, 2, GL_RGB, GL_UNSIGNED_BYTE);
+    tellProxyImage(1, GL_RGB, 64, 32, 0, GL_RGB, 0x9999);
+    tellProxyImage(1, GL_RGB, 64, 32, 0, 0x9999, GL_UNSIGNED_BYTE);
+    tellProxyImage(1, GL_RGB, 64, 32, 0, GL_RGBA, GL_UNSIGNED_SHORT_5_6_5);
+    tellProxyImage(1, GL_RGB, 64, 32, 0, GL_DEPTH_COMPONENT, GL_FLOAT);
+    tellProxyImage(1, GL_DEPTH_COMPONENT, 64, 32, 0, GL_RGB, GL_FLOAT);
+    tellProxyImage(1, 99, 64, 32, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    tellProxyImage(-1, GL_RGB, 8, 8, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    tellProxyImage(99, GL_RGB, 8, 8, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    tellProxyImage(1, GL_RGB, 1 << 20, 32, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    tellProxyImage(1, GL_RGBA, 16, 8, 0, GL_BGRA, GL_FLOAT);
+    tellProxyImage(1, GL_RGB, 8, 1 << 20, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    glTexImage1D(GL_PROXY_TEXTURE_1D, 0, 1, 5, 0, GL_RED, GL_SHORT, NULL);
+    tellProxy(GL_PROXY_TEXTURE_1D, 0);
+    glTexImage1D(GL_PROXY_TEXTURE_2D, 0, 1, 5, 0, GL_RED, GL_SHORT, NULL);
+    tellError();
+    tellProxy(GL_TEXTURE_2D, 1);
+    glNewList(7, GL_COMPILE);
+    tellProxyImage(1, GL_RGB, 4, 2, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    glEndList();
+    tellProxyImage(1, GL_RGB, 2, 4, 0, GL_RGB, GL_UNSIGNED_BYTE);
+    glCallList(7);
+    tellProxy(GL_PROXY_TEXTURE_2D, 1);
+    glDeleteLists(7, 1);
+    glBindTexture(GL_PROXY_TEXTURE_2D, 1);
+    tellError();
+    glEnable(GL_PROXY_TEXTURE_2D);
+    tellError();
+    glTexParameteri(GL_PROXY_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    tellError();
+    glGetTexParameteriv(GL_PROXY_TEXTURE_2D, GL_TEXTURE_WRAP_S, &value);
+    tellError();
+    glTexSubImage2D(GL_PROXY_TEXTURE_2D, 1, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, memory);
+    tellError();
+    glCopyTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGB, 0, 0, 1, 1, 0);
+    tellError();
+    glGetTexImage(GL_PROXY_TEXTURE_2D, 1, GL_RGBA, GL_UNSIGNED_BYTE, memory);
+    tellError();
+}
+
 static void askQuestions(void) {
     useWindowCoordinates();
     glColor4f(1.0f, 1.0f, 1.0f, 1.0f);
@@ -234,4 +301,5 @@ static void askQuestions(void) {
     perspective();
     receding();
     lines();
+    proxies();
 }
