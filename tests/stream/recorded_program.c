@@ -123,6 +123,8 @@ static void texture(void)
     rtTexImage2D(RT_TEXTURE_2D, 0, RT_RGB, 2, 2, 0, RT_RGB, RT_UNSIGNED_BYTE, image);
     rtPixelStorei(RT_UNPACK_ROW_LENGTH, 0);
     rtPixelStorei(RT_UNPACK_SKIP_ROWS, 0);
+    rtTexImage2D(RT_PROXY_TEXTURE_2D, 0, RT_RGB, 1 << 23, 1 << 23, 0, RT_RGB, RT_UNSIGNED_BYTE,
+                 (const void *)1); /* whose pixels nobody reads */
     rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_MIN_FILTER, RT_NEAREST);
     rtEnable(RT_TEXTURE_2D);
     rtBegin(RT_QUADS);
