@@ -37,9 +37,13 @@ std::size_t product(std::initializer_list<int> sizes) {
     return result;
 }
 
-std::size_t rowBytes(std::size_t pixels, int components, std::size_t size, unsigned alignment) {
-    const std::size_t bytes = pixels * std::size_t(components) * size;
-    return size < alignment ? (bytes + alignment - 1) / alignment * alignment : bytes;
+PixelRows rowsOf(const Image& image, const PixelStore& store) {
+    const std::size_t size = bytesOf(image.type);
+    const std::size_t pixel = std::size_t(image.components) * size;
+    std::size_t stride = (store.rowLength ? store.rowLength : std::size_t(image.width)) * pixel;
+    if (size < store.alignment)
+        stride = (stride + store.alignment - 1) / store.alignment * store.alignment;
+    return {store.skipRows * stride + store.skipPixels * pixel, stride};
 }
 
 double truncated(double value, RTenum type) {
@@ -131,14 +135,12 @@ Image readImage(const void* data, RTenum type, int components, int width, int he
                 const PixelStore& store) {
     Image image(type, components, width, height, depth);
     const std::size_t size = bytesOf(type);
-    const std::size_t stride = rowBytes(store.rowLength ? store.rowLength : std::size_t(width),
-                                        components, size, store.alignment);
-    const auto* first = static_cast<const std::byte*>(data) + store.skipRows * stride +
-                        store.skipPixels * std::size_t(components) * size;
+    const PixelRows rows = rowsOf(image, store);
+    const std::byte* const first = static_cast<const std::byte*>(data) + rows.offset;
     withType(type, [&](auto number) {
         double* out = image.values.data();
         for (std::size_t row = 0; row < image.rows(); ++row) {
-            const std::byte* in = first + row * stride;
+            const std::byte* in = first + row * rows.stride;
             for (std::size_t i = 0; i < image.valuesOfRow(); ++i, in += size) {
                 std::byte bytes[sizeof number];
                 std::memcpy(bytes, in, sizeof number);
@@ -151,22 +153,22 @@ Image readImage(const void* data, RTenum type, int components, int width, int he
     return image;
 }
 
-std::size_t writtenBytes(const Image& image, unsigned alignment) {
-    return rowBytes(std::size_t(image.width), image.components, bytesOf(image.type), alignment) *
-           image.rows();
+std::size_t tightBytes(const Image& image) {
+    return image.values.size() * bytesOf(image.type);
 }
 
-void writeImage(const Image& image, unsigned alignment, void* data) {
+void writeImage(const Image& image, const PixelStore& store, void* data) {
     const std::size_t size = bytesOf(image.type);
-    const std::size_t stride =
-        rowBytes(std::size_t(image.width), image.components, size, alignment);
+    const PixelRows rows = rowsOf(image, store);
+    std::byte* const first = static_cast<std::byte*>(data) + rows.offset;
     withType(image.type, [&](auto number) {
         const double* in = image.values.data();
         for (std::size_t row = 0; row < image.rows(); ++row) {
-            std::byte* out = static_cast<std::byte*>(data) + row * stride;
+            std::byte* out = first + row * rows.stride;
             for (std::size_t i = 0; i < image.valuesOfRow(); ++i, out += size) {
                 number = decltype(number)(*in++);
-                std::memcpy(out, &number, size);
+                std::memcpy(out, &number, sizeof number);
+                if (store.swapBytes) std::reverse(out, out + sizeof number);
             }
         }
     });

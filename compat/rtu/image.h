@@ -41,9 +41,10 @@ private:
 Image readImage(const void* data, RTenum type, int components, int width, int height, int depth,
                 const PixelStore& store);
 
-/// Writes rows that start at multiples of `alignment`.
-void writeImage(const Image& image, unsigned alignment, void* data);
-std::size_t writtenBytes(const Image& image, unsigned alignment);
+/// Writes an image as the pack state says it is to lie; what lies between its rows stays.
+void writeImage(const Image& image, const PixelStore& store, void* data);
+/// Bytes of an image whose rows follow each other.
+std::size_t tightBytes(const Image& image);
 
 /// The same picture in another type, by way of 16 bits as GLU has it; `scaled`: the range of the
 /// type stands for 0 to 1, as opposed to indices.

@@ -53,19 +53,25 @@ RTint withErrors(const char* function, Body&& body) noexcept {
     return result;
 }
 
+/// As at the start where the context does not tell.
 PixelStore unpackState() {
     Context* const context = currentContext();
     return context && !context->recorder().insidePrimitive() ? context->recorder().pixelStore()
                                                               : PixelStore();
 }
+PixelStore packState() {
+    Context* const context = currentContext();
+    return context && !context->recorder().insidePrimitive() ? context->recorder().packStore()
+                                                              : PixelStore();
+}
+
+constexpr PixelStore kTight{.alignment = 1};
 
 /// Gives levels to a texture call with rows that follow each other. The call may report an error,
 /// and who listens may end the context.
 class PackedRows {
 public:
-    PackedRows() : context_(currentContextShared()), saved_(unpackState()) {
-        set(PixelStore{.alignment = 1});
-    }
+    PackedRows() : context_(currentContextShared()), saved_(unpackState()) { set(kTight); }
     ~PackedRows() { set(saved_); }
     PackedRows(const PackedRows&) = delete;
     PackedRows& operator=(const PackedRows&) = delete;
@@ -139,8 +145,8 @@ struct Mipmaps {
                                    std::max(image.height / 2, 1), std::max(image.depth / 2, 1),
                                    enlarging);
             if (current < base) continue;
-            bytes.resize(writtenBytes(image, 1));
-            writeImage(image, 1, bytes.data());
+            bytes.resize(tightBytes(image));
+            writeImage(image, kTight, bytes.data());
             give(RTint(current), image, bytes.data());
         }
     }
@@ -172,9 +178,8 @@ RTAPI RTint RTAPIENTRY rtuScaleImage(RTenum format, RTsizei wIn, RTsizei hIn, RT
         const bool scaled = format != RT_COLOR_INDEX && format != RT_STENCIL_INDEX;
         const Image in = toShorts(
             readImage(dataIn, typeIn, componentsOf(format), wIn, hIn, 1, unpackState()), scaled);
-        constexpr unsigned kPackAlignment = 4;
         const Image out = scaleImage(in, wOut, hOut, 1, Enlarging::WholePixels);
-        writeImage(fromShorts(out, typeOut, scaled), kPackAlignment, dataOut);
+        writeImage(fromShorts(out, typeOut, scaled), packState(), dataOut);
     });
 }
 

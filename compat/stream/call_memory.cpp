@@ -298,7 +298,7 @@ uint64_t memoryBytes(const CallSignature& call, const CallParameter& parameter,
     case Memory::PackedImage:
         if (parameter.amount) return bitmapBytes({32, 32}, stores.pack);
         return sizes.image(sizes.extent("width", "height"), "type", stores.pack);
-    case Memory::ScaledImage: return sizes.image(sizes.extent("wOut", "hOut"), "typeOut", {});
+    case Memory::ScaledImage: return sizes.image(sizes.extent("wOut", "hOut"), "typeOut", stores.pack);
     case Memory::Scratch: return 64 * sizeof(double);
     default: return 0;
     }

@@ -97,7 +97,8 @@ private:
         const CallParameter& parameter = parameters_[i];
         const bool isImage = parameter.memory == Memory::Image ||
                              parameter.memory == Memory::Bitmap ||
-                             parameter.memory == Memory::PackedImage;
+                             parameter.memory == Memory::PackedImage ||
+                             parameter.memory == Memory::ScaledImage;
         const uint64_t bytes = memoryBytes(call_, parameter, to_.values,
                                            isImage ? imageStores() : ImageStores());
         if (parameter.isOutput) {
@@ -234,15 +235,16 @@ void PlayedNames::forgetProcess() {
 }
 
 ImageStores imageStores() {
-    const auto value = [](RTenum name) {
-        RTint number = 0;
+    // Where the state does not tell, rtuScaleImage takes that of the start.
+    const auto value = [](RTenum name, RTint start = 0) {
+        RTint number = start;
         rtGetIntegerv(name, &number);
         return uint32_t(std::max(number, 0));
     };
     ImageStores stores;
-    stores.unpack = {value(RT_UNPACK_ALIGNMENT), value(RT_UNPACK_ROW_LENGTH),
+    stores.unpack = {value(RT_UNPACK_ALIGNMENT, 4), value(RT_UNPACK_ROW_LENGTH),
                      value(RT_UNPACK_SKIP_PIXELS), value(RT_UNPACK_SKIP_ROWS)};
-    stores.pack = {value(RT_PACK_ALIGNMENT), value(RT_PACK_ROW_LENGTH),
+    stores.pack = {value(RT_PACK_ALIGNMENT, 4), value(RT_PACK_ROW_LENGTH),
                    value(RT_PACK_SKIP_PIXELS), value(RT_PACK_SKIP_ROWS)};
     return stores;
 }

@@ -144,7 +144,8 @@ RTAPI void RTAPIENTRY rtuPartialDisk(RTUquadric *quad, RTdouble inner, RTdouble 
 /* ---- Images ----------------------------------------------------------------------------- */
 
 /* Scales an image with GLU's box filter, reading as rtTexImage2D does (RT_UNPACK_...) and writing
- * packed as the RT_PACK_... values at their start say. Formats: RT_COLOR_INDEX, RT_STENCIL_INDEX,
+ * as rtReadPixels does (RT_PACK_...); without a context, or between rtBegin and rtEnd, these have
+ * the values of the start. Formats: RT_COLOR_INDEX, RT_STENCIL_INDEX,
  * RT_DEPTH_COMPONENT, RT_RED, RT_GREEN, RT_BLUE, RT_ALPHA, RT_LUMINANCE, RT_LUMINANCE_ALPHA,
  * RT_RGB, RT_BGR, RT_RGBA, RT_BGRA; types: RT_UNSIGNED_BYTE, RT_BYTE, RT_UNSIGNED_SHORT, RT_SHORT,
  * RT_UNSIGNED_INT, RT_INT, RT_FLOAT. 0 on success, else an RTU_ error number.

@@ -141,6 +141,27 @@ TEST(CallStream, HoldsTheArgumentsOfEveryFunction) {
     EXPECT_TRUE(plays(stream));
 }
 
+TEST(CallStream, ScaledImagesLieAsThePackStateSays) {
+    const CallSignature& call = *findCall("rtuScaleImage");
+    const std::span<const CallParameter> parameters = parametersOf(call);
+    CallValue arguments[kMaxParameters + 1] = {};
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const std::string name = parameters[i].name;
+        if (name == "wOut") arguments[i] = CallValue(RTsizei(3));
+        if (name == "hOut") arguments[i] = CallValue(RTsizei(2));
+        if (name == "format") arguments[i] = CallValue(RTenum(RT_RGB));
+        if (name == "typeOut") arguments[i] = CallValue(RTenum(RT_UNSIGNED_BYTE));
+    }
+    const CallParameter& out = parameters.back();
+    ASSERT_STREQ(out.name, "dataOut");
+    ImageStores stores;
+    EXPECT_EQ(memoryBytes(call, out, arguments, stores), 12u + 9);
+    stores.pack.alignment = 1;
+    EXPECT_EQ(memoryBytes(call, out, arguments, stores), 9u + 9);
+    stores.pack = {8, 10, 2, 1}; // rows of 30 bytes are 32
+    EXPECT_EQ(memoryBytes(call, out, arguments, stores), 2 * 32u + 6 + 9);
+}
+
 TEST(CallStream, EveryFunctionIsPlayedWithTheSameErrors) {
     const std::vector<std::byte> stream = recordingOf(EVERY_CALL_PROGRAM);
     Told told;

@@ -6,6 +6,7 @@
 #include <openrt/rt.h>
 #include <openrt/rtu.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -117,6 +118,65 @@ TEST_F(Images, theUnpackStateSaysHowRowsLie) {
                             RT_UNSIGNED_BYTE, out),
               0);
     EXPECT_EQ(out[0], 25);
+}
+
+/// The 3 by 2 pixels of `values` as rtuScaleImage writes them in the pack state of now; bytes that
+/// it leaves alone are 0xee.
+template <class T>
+std::vector<T> written(const std::vector<T>& values, RTenum format, RTenum type) {
+    std::vector<T> out(40);
+    std::memset(out.data(), 0xee, out.size() * sizeof(T));
+    EXPECT_EQ(rtuScaleImage(format, 3, 2, type, values.data(), 3, 2, type, out.data()), 0);
+    return out;
+}
+/// What glReadPixels' rules make of it: OpenGL 1.5, section 4.3.2.
+template <class T>
+std::vector<T> packed(const std::vector<T>& values, std::size_t offset, std::size_t stride) {
+    std::vector<T> out(40);
+    std::memset(out.data(), 0xee, out.size() * sizeof(T));
+    const auto row = std::ptrdiff_t(values.size() / 2);
+    std::copy(values.begin(), values.begin() + row, out.begin() + std::ptrdiff_t(offset));
+    std::copy(values.begin() + row, values.end(), out.begin() + std::ptrdiff_t(offset + stride));
+    return out;
+}
+
+TEST_F(Images, thePackStateSaysHowRowsAreWritten) {
+    std::vector<uint8_t> in(18);
+    for (std::size_t i = 0; i < in.size(); ++i) in[i] = uint8_t(10 + i);
+    rtPixelStorei(RT_UNPACK_ALIGNMENT, 1);
+    const auto rgb = [&] { return written(in, RT_RGB, RT_UNSIGNED_BYTE); };
+    EXPECT_EQ(rgb(), packed(in, 0, 12)) << "the start";
+    for (const auto& [alignment, stride] : {std::pair(1, 9), {2, 10}, {4, 12}, {8, 16}}) {
+        rtPixelStorei(RT_PACK_ALIGNMENT, alignment);
+        EXPECT_EQ(rgb(), packed(in, 0, std::size_t(stride))) << alignment;
+    }
+    rtPixelStorei(RT_PACK_ALIGNMENT, 1);
+    rtPixelStorei(RT_PACK_ROW_LENGTH, 5);
+    EXPECT_EQ(rgb(), packed(in, 0, 15));
+    rtPixelStorei(RT_PACK_SKIP_PIXELS, 1);
+    EXPECT_EQ(rgb(), packed(in, 3, 15));
+    rtPixelStorei(RT_PACK_ROW_LENGTH, 0);
+    rtPixelStorei(RT_PACK_SKIP_PIXELS, 0);
+    rtPixelStorei(RT_PACK_SKIP_ROWS, 2);
+    EXPECT_EQ(rgb(), packed(in, 18, 9));
+    rtDestroyContext(rtGetCurrentContext());
+    const std::vector<uint8_t> padded = packed(in, 0, 12);
+    EXPECT_EQ(written(padded, RT_RGB, RT_UNSIGNED_BYTE), padded) << "without a context: the start";
+}
+
+TEST_F(Images, bytesAreSwappedOnTheWayInAndOut) {
+    std::vector<uint16_t> in = noise<uint16_t>(6), swapped(in);
+    for (uint16_t& value : swapped) value = uint16_t(value << 8 | value >> 8);
+    rtPixelStorei(RT_UNPACK_ALIGNMENT, 2);
+    rtPixelStorei(RT_PACK_ALIGNMENT, 2);
+    const auto gray = [](const std::vector<uint16_t>& from) {
+        return written(from, RT_LUMINANCE, RT_UNSIGNED_SHORT);
+    };
+    EXPECT_EQ(gray(in), packed(in, 0, 3));
+    rtPixelStorei(RT_PACK_SWAP_BYTES, RT_TRUE);
+    EXPECT_EQ(gray(in), packed(swapped, 0, 3));
+    rtPixelStorei(RT_UNPACK_SWAP_BYTES, RT_TRUE);
+    EXPECT_EQ(gray(swapped), packed(swapped, 0, 3));
 }
 
 TEST_F(Images, mipmapsAreThoseOfGlu) {
