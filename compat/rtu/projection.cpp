@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 
 #include "compat/recorder/transforms.h"
 #include "compat/rtu/report.h"
@@ -28,7 +29,55 @@ double toNdc(double window, int origin, int size) {
     return (window - origin) / size * 2 - 1;
 }
 
+/// A matrix that is not finite is refused, with the current one left as it is.
+void multiply(const char* function, const glm::dmat4& matrix) {
+    double m[16];
+    bool isFinite = true;
+    for (int i = 0; i < 16; ++i) {
+        m[i] = matrix[i / 4][i % 4];
+        isFinite = isFinite && std::isfinite(m[i]);
+    }
+    if (!isFinite)
+        return recordError(ErrorCode::InvalidValue, function, "the matrix would not be finite");
+    rtMultMatrixd(m);
+}
+
+/// Zero where it has no length; not a number where that is beyond all numbers.
+glm::dvec3 direction(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    if (!std::isfinite(length)) return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    return length == 0 ? v : v / length;
+}
+
 } // namespace
+
+RTAPI void RTAPIENTRY rtuPerspective(RTdouble fovy, RTdouble aspect, RTdouble zNear,
+                                     RTdouble zFar) {
+    if (!std::isfinite(fovy) || !std::isfinite(aspect) || !std::isfinite(zNear) ||
+        !std::isfinite(zFar))
+        return recordError(ErrorCode::InvalidValue, __func__, "an argument is not finite");
+    const auto [s, c] = sinCosDegrees(fovy / 2);
+    if (s == 0 || aspect == 0 || zNear == zFar) return;
+    glm::dmat4 m(0.0);
+    m[0][0] = c / s / aspect;
+    m[1][1] = c / s;
+    m[2] = {0, 0, -(zFar + zNear) / (zFar - zNear), -1};
+    m[3][2] = -2 * zFar * zNear / (zFar - zNear);
+    multiply(__func__, m);
+}
+
+RTAPI void RTAPIENTRY rtuLookAt(RTdouble eyeX, RTdouble eyeY, RTdouble eyeZ, RTdouble centerX,
+                                RTdouble centerY, RTdouble centerZ, RTdouble upX, RTdouble upY,
+                                RTdouble upZ) {
+    const glm::dvec3 eye(eyeX, eyeY, eyeZ);
+    const glm::dvec3 forward = direction(glm::dvec3(centerX, centerY, centerZ) - eye);
+    const glm::dvec3 side = direction(glm::cross(forward, glm::dvec3(upX, upY, upZ)));
+    const glm::dvec3 upright = glm::cross(side, forward);
+    glm::dmat4 m(1.0);
+    for (int k = 0; k < 3; ++k) m[k] = {side[k], upright[k], -forward[k], 0};
+    m[3] = {-glm::dot(side, eye), -glm::dot(upright, eye), glm::dot(forward, eye), 1};
+    multiply(__func__, m);
+}
 
 RTAPI void RTAPIENTRY rtuOrtho2D(RTdouble left, RTdouble right, RTdouble bottom, RTdouble top) {
     rtOrtho(left, right, bottom, top, -1, 1);

@@ -43,8 +43,21 @@ RTAPI RTboolean RTAPIENTRY rtuCheckExtension(const RTubyte *extName, const RTuby
 
 /* ---- Projections ------------------------------------------------------------------------ */
 
-#define rtuPerspective rtPerspective
-#define rtuLookAt rtLookAt
+/* Multiply the current matrix as GLU does, which refuses less than rtPerspective and rtLookAt:
+ * rtuPerspective: any fovy, aspect, near and far, negative ones too; no effect where near = far,
+ *   aspect = 0 or fovy is a multiple of 360 degrees.
+ * rtuLookAt: a direction without length stays zero; eye = centre, or the up vector 0 or along the
+ *   line of sight, give a matrix with rows of zeros.
+ * Some of these matrices have no inverse. What is placed by such a model-view matrix is flat or not
+ * seen. A projection without one (near or far 0, fovy 180) is an error of the frame (rtRender).
+ * Errors:  RT_INVALID_VALUE  an argument, or the matrix, is not finite
+ *          and those of rtMultMatrixd
+ * Since: 0.1 */
+RTAPI void RTAPIENTRY rtuPerspective(RTdouble fovy, RTdouble aspect, RTdouble zNear,
+                                     RTdouble zFar);
+RTAPI void RTAPIENTRY rtuLookAt(RTdouble eyeX, RTdouble eyeY, RTdouble eyeZ, RTdouble centerX,
+                                RTdouble centerY, RTdouble centerZ, RTdouble upX, RTdouble upY,
+                                RTdouble upZ);
 
 /* rtOrtho with near -1 and far 1. Errors as there. Since: 0.1 */
 RTAPI void RTAPIENTRY rtuOrtho2D(RTdouble left, RTdouble right, RTdouble bottom, RTdouble top);

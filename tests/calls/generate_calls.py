@@ -40,6 +40,7 @@ LEGAL = {
     "rtOccludedStream": "scene, rayStream, scratch, 4, RT_INCOHERENT",
     "rtGetInteger64v": "RT_STAT_BYTES, scratch",
     "rtPerspective": "60, 1, 0.1, 100", "rtLookAt": "0, 0, 5, 0, 0, 0, 0, 1, 0",
+    "rtuPerspective": "60, 1, 0.1, 100", "rtuLookAt": "0, 0, 5, 0, 0, 0, 0, 1, 0",
     "rtuErrorString": "RT_INVALID_VALUE", "rtuGetString": "RTU_VERSION",
     "rtuOrtho2D": "-1, 1, -1, 1", "rtuPickMatrix": "8, 8, 4, 4, ints",
     "rtuQuadricDrawStyle": "quadric, RTU_LINE", "rtuQuadricNormals": "quadric, RTU_FLAT",

@@ -4,6 +4,7 @@
 #include <GL/gl.h>
 #include <openrt/rt.h>
 
+#include <algorithm>
 #include <map>
 
 namespace testing_rtu {
@@ -53,6 +54,21 @@ void GLAPIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) {
     for (int row = 0; row < 4; ++row)
         glMatrix[12 + row] += glMatrix[row] * double(x) + glMatrix[4 + row] * double(y) +
                               glMatrix[8 + row] * double(z);
+}
+void GLAPIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) {
+    for (int row = 0; row < 4; ++row)
+        glMatrix[12 + row] += glMatrix[row] * x + glMatrix[4 + row] * y + glMatrix[8 + row] * z;
+}
+void GLAPIENTRY glMultMatrixd(const GLdouble* m) {
+    double product[16] = {};
+    for (int i = 0; i < 16; ++i)
+        for (int k = 0; k < 4; ++k) product[i] += glMatrix[i % 4 + 4 * k] * m[i / 4 * 4 + k];
+    std::copy(product, product + 16, glMatrix);
+}
+void GLAPIENTRY glMultMatrixf(const GLfloat* m) {
+    double matrix[16];
+    std::copy(m, m + 16, matrix);
+    glMultMatrixd(matrix);
 }
 void GLAPIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) {
     const double factors[] = {x, y, z};

@@ -22,7 +22,7 @@ struct Level {
 // the libraries call these instead; what they were called with is kept here.
 extern std::vector<Call> glCalls, rtCalls;
 extern std::vector<Level> glLevels, rtLevels;
-extern double glMatrix[16]; ///< what glTranslatef and glScalef make, column-major
+extern double glMatrix[16]; ///< what OpenGL's calls of matrices make, column-major
 
 /// Is called with every level of rtTexImage2D.
 extern std::function<void()> whenLevelComes;

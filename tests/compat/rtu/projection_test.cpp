@@ -6,7 +6,9 @@
 #include <openrt/rtu.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <iterator>
 #include <random>
@@ -135,6 +137,126 @@ TEST_F(Projections, pickMatricesAreThoseOfGlu) {
     EXPECT_EQ(std::memcmp(rt, after, sizeof rt), 0);
     rtuPickMatrix(1, 1, 1, 1, nullptr);
     EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_VALUE));
+}
+
+/// The current matrix after `call`, which starts from the identity.
+template <class Call>
+std::array<double, 16> matrixAfter(Call&& call) {
+    rtLoadIdentity();
+    for (int i = 0; i < 16; ++i) testing_rtu::glMatrix[i] = i % 5 == 0;
+    call();
+    std::array<double, 16> m;
+    rtGetDoublev(RT_MODELVIEW_MATRIX, m.data());
+    return m;
+}
+constexpr std::array<double, 16> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+TEST_F(Projections, perspectivesAreThoseOfGluWhateverTheNumbers) {
+    for (const auto& [fovy, aspect, near, far] :
+         {std::array<double, 4>{45, 1.5, 1, 100}, {45, 1, 0, 100}, {45, 1, -1, 100},
+          {45, 1, 1, 0}, {45, 1, 100, 1}, {45, -1, 1, 100}, {-45, 1, 1, 100}, {190, 1, 1, 10},
+          {180, 1, 1, 10}, {500, 2, -3, -7}}) {
+        const auto m = matrixAfter([&] { rtuPerspective(fovy, aspect, near, far); });
+        const double f = 1 / std::tan(fovy * std::acos(-1) / 360);
+        const std::array<double, 16> formula = {
+            f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1,
+            0, 0, 2 * far * near / (near - far), 0};
+        gluPerspective(fovy, aspect, near, far);
+        for (std::size_t i = 0; i < 16; ++i) {
+            EXPECT_NEAR(m[i], formula[i], 1e-12 * std::max(1.0, std::fabs(m[i])))
+                << fovy << ' ' << aspect << ' ' << near << ' ' << far << ", number " << i;
+            EXPECT_NEAR(m[i], testing_rtu::glMatrix[i], 1e-12 * std::max(1.0, std::fabs(m[i])));
+        }
+        EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    }
+    EXPECT_EQ(matrixAfter([] { rtuPerspective(50, 1.25, 0.5, 90); }),
+              matrixAfter([] { rtPerspective(50, 1.25, 0.5, 90); }));
+}
+
+TEST_F(Projections, perspectivesWithoutWidthHeightOrDepthDoNothing) {
+    for (const auto& [fovy, aspect, near, far] :
+         {std::array<double, 4>{0, 1, 1, 100}, {45, 0, 1, 100}, {45, 1, 5, 5}, {45, 1, 0, 0}}) {
+        const auto m = matrixAfter([&] { rtuPerspective(fovy, aspect, near, far); });
+        gluPerspective(fovy, aspect, near, far);
+        EXPECT_EQ(m, kIdentity);
+        for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(testing_rtu::glMatrix[i], kIdentity[i]);
+        EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    }
+    EXPECT_EQ(matrixAfter([] { rtuPerspective(-720, 1, 1, 100); }), kIdentity);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+}
+
+TEST_F(Projections, camerasLookAsInGluWhateverTheNumbers) {
+    const auto compare = [](const std::array<double, 9>& a) {
+        const auto m = matrixAfter(
+            [&] { rtuLookAt(a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8]); });
+        gluLookAt(a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8]);
+        for (std::size_t i = 0; i < 16; ++i) // GLU counts in single precision
+            EXPECT_NEAR(m[i], testing_rtu::glMatrix[i], 3e-6 * std::max(1.0, std::fabs(m[i])))
+                << a[0] << ' ' << a[1] << ' ' << a[2] << ", number " << i;
+        EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+        return m;
+    };
+    compare({1, 2, 3, -2, 0.5, 1, 0.1, 1, 0.3});
+    // Rows of zeros: side and upright, then all three.
+    const std::array<double, 16> down = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, -10, 1};
+    const std::array<double, 16> level = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, -5, 1};
+    const std::array<double, 16> nothing = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    EXPECT_EQ(compare({0, 10, 0, 0, 0, 0, 0, 1, 0}), down);
+    EXPECT_EQ(compare({0, 0, 5, 0, 0, 0, 0, 0, 0}), level);
+    EXPECT_EQ(compare({1, 1, 1, 1, 1, 1, 0, 1, 0}), nothing);
+    EXPECT_EQ(matrixAfter([] { rtuLookAt(3, 4, 5, 0, 1, 0, 0.1, 1, 0); }),
+              matrixAfter([] { rtLookAt(3, 4, 5, 0, 1, 0, 0.1, 1, 0); }));
+}
+
+TEST_F(Projections, whatIsNotFiniteIsRefused) {
+    const auto refuses = [](auto call) {
+        return matrixAfter(call) == kIdentity && rtGetError() == RTenum(RT_INVALID_VALUE);
+    };
+    EXPECT_TRUE(refuses([] { rtuPerspective(NAN, 1, 1, 2); }));
+    EXPECT_TRUE(refuses([] { rtuPerspective(45, INFINITY, 1, 2); }));
+    EXPECT_TRUE(refuses([] { rtuPerspective(45, 1, INFINITY, INFINITY); }));
+    EXPECT_TRUE(refuses([] { rtuPerspective(45, 1, 1, -INFINITY); }));
+    EXPECT_TRUE(refuses([] { rtuPerspective(45, 1, 1e200, 1e300); }));
+    EXPECT_TRUE(refuses([] { rtuLookAt(NAN, 0, 0, 1, 1, 1, 0, 1, 0); }));
+    EXPECT_TRUE(refuses([] { rtuLookAt(0, 0, 0, 0, INFINITY, 0, 0, 1, 0); }));
+    EXPECT_TRUE(refuses([] { rtuLookAt(0, 0, 0, 0, 0, 0, 0, INFINITY, 0); }));
+    EXPECT_TRUE(refuses([] { rtuLookAt(1e200, 0, 0, 0, 0, 0, 0, 1, 0); }));
+}
+
+/// A frame of a rectangle that fills the view, by the matrices of now.
+std::array<uint32_t, 64> picture() {
+    std::array<uint32_t, 64> pixels;
+    pixels.fill(0x12345678);
+    rtSetFrameBuffer(reinterpret_cast<RTubyte*>(pixels.data()), 8, 8, RT_RGBA_8);
+    rtRectf(-1000, -1000, 1000, 1000);
+    rtClearColor(0, 0, 0, 0);
+    rtRender();
+    return pixels;
+}
+
+TEST_F(Projections, framesByMatricesWithoutAnInverse) {
+    constexpr std::array<uint32_t, 64> kEmpty = {};
+    rtMatrixMode(RT_PROJECTION);
+    rtLoadIdentity();
+    rtuPerspective(60, 1, 0.5, 100);
+    rtMatrixMode(RT_MODELVIEW);
+    rtLoadIdentity();
+    rtTranslated(0, 0, -5);
+    EXPECT_NE(picture(), kEmpty) << "control";
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    for (const double up : {0.0, 1.0}) {
+        rtLoadIdentity();
+        rtuLookAt(0, 5, 0, 0, 0, 0, 0, up, 0);
+        EXPECT_EQ(picture(), kEmpty);
+        EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    }
+    rtMatrixMode(RT_PROJECTION);
+    rtLoadIdentity();
+    rtuPerspective(60, 1, 0, 100);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+    picture();
+    EXPECT_EQ(rtGetError(), RTenum(RT_INVALID_OPERATION)) << "as rt_frame.h says of rtRender";
 }
 
 TEST_F(Projections, ortho2DIsOrthoFromMinusOneToOne) {
