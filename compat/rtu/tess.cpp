@@ -96,7 +96,8 @@ RTAPI RTUtesselator* RTAPIENTRY rtuNewTess(void) {
 
 RTAPI void RTAPIENTRY rtuDeleteTess(RTUtesselator* tess) {
     if (!tess) return;
-    withTess(tess, __func__, [](RTUtesselator& t) { t.require(RTUtesselator::Dormant, __func__); });
+    withTess(tess, __func__,
+             [](RTUtesselator& t) { t.require(RTUtesselator::Dormant, "rtuDeleteTess"); });
     delete tess;
 }
 

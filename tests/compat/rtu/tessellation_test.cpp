@@ -10,6 +10,7 @@
 #include <deque>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
@@ -389,6 +390,23 @@ TEST_F(Tessellation, noInputIsTooBad) {
     rtuGetTessProperty(tess, RTU_TESS_WINDING_RULE, &value);
     EXPECT_EQ(value, RTU_TESS_WINDING_ODD);
     rtuDeleteTess(tess);
+}
+
+TEST_F(Tessellation, errorsNameTheFunctionThatWasCalled) {
+    std::vector<std::string> names;
+    rtErrorCallback(
+        [](RTenum, const char* function, const char*, void* user) {
+            static_cast<std::vector<std::string>*>(user)->emplace_back(function);
+        },
+        &names);
+    RTUtesselator* tess = rtuNewTess();
+    rtuTessEndContour(tess); // two calls are missing
+    rtuTessBeginPolygon(tess, nullptr);
+    rtuTessCallback(tess, 12345, nullptr);
+    rtuDeleteTess(tess);
+    EXPECT_EQ(names, (std::vector<std::string>{"rtuTessEndContour", "rtuTessEndContour",
+                                               "rtuTessBeginPolygon", "rtuTessCallback",
+                                               "rtuDeleteTess"}));
 }
 
 TEST_F(Tessellation, thousandsOfVertices) {
