@@ -16,6 +16,10 @@ constexpr std::size_t kLanes = kPacketSize, kTileLanes = kLanes * kTilePackets;
 /// Rays that have nothing in common take turns: the more of them, the less often few are left.
 constexpr std::size_t kStreamPackets = 64, kStreamLanes = kLanes * kStreamPackets;
 
+// Compilers unroll loops over lanes before they look for vectors, and leave a branch for each.
+typedef uint32_t FourLanes __attribute__((vector_size(16), may_alias, aligned(4)));
+typedef uint8_t Bytes __attribute__((vector_size(8), may_alias, aligned(1)));
+
 /// Reads single values of the application's rays.
 class RayReader {
 public:
@@ -28,6 +32,16 @@ public:
     float tNear(std::size_t i) const { return stream_.tNear ? stream_.tNear[at(i)] : 0.0f; }
     float tFar(std::size_t i) const {
         return stream_.tFar ? stream_.tFar[at(i)] : std::numeric_limits<float>::infinity();
+    }
+
+    /// Of sixteen rays.
+    void tFar(std::size_t first, float* values) const {
+        if (!stream_.tFar)
+            std::fill_n(values, kLanes, std::numeric_limits<float>::infinity());
+        else if (stream_.stride == 1)
+            take(stream_.tFar + first, values);
+        else
+            for (std::size_t lane = 0; lane < kLanes; ++lane) values[lane] = tFar(first + lane);
     }
 
     Ray ray(std::size_t i) const {
@@ -82,10 +96,7 @@ private:
             take(stream_.tNear + first, packet.tNear);
         else
             std::fill_n(packet.tNear, kLanes, 0.0f);
-        if (stream_.tFar)
-            take(stream_.tFar + first, packet.tFar);
-        else
-            std::fill_n(packet.tFar, kLanes, std::numeric_limits<float>::infinity());
+        tFar(first, packet.tFar);
         packet.active = (1u << kLanes) - 1;
     }
     /// Lanes left over hold a harmless ray and are not active.
@@ -159,20 +170,24 @@ private:
     }
     /// Sixteen rays whose values lie one behind the other: what the kernels found is all there is.
     void writePlain(std::size_t first, const HitPacket& hits) const {
-        const auto fill = [&](auto* values, const auto* found, auto otherwise) {
+        const auto write = [&](auto* values, const auto* found, const auto* otherwise) {
             if (!values) return;
-            for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                values[first + lane] =
-                    hits.triangle[lane] == kNoHit ? otherwise(first + lane) : found[lane];
+            for (std::size_t lane = 0; lane < kLanes; lane += 4) {
+                const auto four = [lane](const auto* of) { return *(const FourLanes*)(of + lane); };
+                const FourLanes none = four(hits.triangle) == kNoHit;
+                *(FourLanes*)(values + first + lane) =
+                    (four(found) & ~none) | (four(otherwise) & none);
             }
         };
-        const auto zero = [](std::size_t) { return 0.0f; };
-        const auto none = [](std::size_t) { return kNoId; };
-        fill(stream_.t, hits.t, [this](std::size_t i) { return rays_.tFar(i); });
-        fill(stream_.u, hits.u, zero);
-        fill(stream_.v, hits.v, zero);
-        fill(stream_.primitive, hits.triangle, none);
-        fill(stream_.instance, hits.path[0], none);
+        constexpr float kZero[kLanes] = {};
+        float far[kLanes];
+        rays_.tFar(first, far);
+        write(stream_.t, hits.t, far);
+        write(stream_.u, hits.u, kZero);
+        write(stream_.v, hits.v, kZero);
+        static_assert(kNoId == kNoHit);
+        write(stream_.primitive, hits.triangle, hits.triangle);
+        write(stream_.instance, hits.path[0], hits.triangle);
     }
     void writeMiss(std::size_t i) const {
         put(stream_.t, i, rays_.tFar(i));
@@ -190,6 +205,28 @@ private:
     const HitStream& stream_;
     const bool wantsNormal_, wantsChain_;
 };
+
+/// trace(packets, how many, first ray, rays) for each tile. A tile is read before the one ahead of it
+/// is traced: the kernels' wide loads would wait for narrow stores of a moment ago.
+template <class Trace>
+void forEachTile(const RayReader& reader, std::size_t count, const Trace& trace) {
+    RayPacket packets[2][kTilePackets];
+    uint32_t used[2];
+    const auto lanes = [&](std::size_t first) { return std::min(kTileLanes, count - first); };
+    const auto read = [&](std::size_t first, int buffer) {
+        used[buffer] = reader.fill(packets[buffer], first, lanes(first));
+    };
+    read(0, 0);
+    int current = 0;
+    for (std::size_t first = 0; first < count; first += kTileLanes, current ^= 1) {
+        if (const std::size_t next = first + kTileLanes; next < count) {
+            read(next, current ^ 1);
+            if (next + kTileLanes < count)
+                reader.prefetch(next + kTileLanes, lanes(next + kTileLanes));
+        }
+        trace(packets[current], used[current], first, lanes(first));
+    }
+}
 
 void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& hits,
                    std::size_t count, Coherence coherence) {
@@ -223,12 +260,9 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
     const auto intersect16 = kernels().intersect[precision];
     const auto intersectTile = kernels().intersectTile[precision];
     const bool tiled = scene.readyForTiles(count);
-    RayPacket packets[kTilePackets];
     HitPacket found[kTilePackets];
-    for (std::size_t first = 0; first < count; first += kTileLanes) {
-        const std::size_t lanes = std::min(kTileLanes, count - first);
-        const uint32_t used = reader.fill(packets, first, lanes);
-        reader.prefetch(first + lanes, std::min(kTileLanes, count - first - lanes));
+    forEachTile(reader, count, [&](const RayPacket* packets, uint32_t used, std::size_t first,
+                                   std::size_t lanes) {
         if (tiled)
             intersectTile(scene.view(), packets, used, found);
         else
@@ -237,7 +271,19 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
             const std::size_t done = p * kLanes;
             writer.write(first + done, std::min(kLanes, lanes - done), found[p]);
         }
+    });
+}
+
+/// A byte for each of `lanes` rays: 1 where its bit is set.
+void writeBits(const uint32_t* masks, std::size_t lanes, uint8_t* bytes) {
+    constexpr std::size_t kEight = sizeof(Bytes);
+    constexpr Bytes kBit = {1, 2, 4, 8, 16, 32, 64, 128};
+    std::size_t done = 0;
+    for (; done + kEight <= lanes; done += kEight) {
+        const uint8_t eight = uint8_t(masks[done / kLanes] >> (done % kLanes));
+        *(Bytes*)(bytes + done) = Bytes((eight & kBit) != 0) & 1;
     }
+    for (; done < lanes; ++done) bytes[done] = (masks[done / kLanes] >> (done % kLanes)) & 1;
 }
 
 void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, std::size_t count,
@@ -260,28 +306,22 @@ void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, st
             const std::size_t lanes = std::min(kStreamLanes, count - first);
             const uint32_t used = reader.fill(stream, first, lanes);
             occludedStream(scene.view(), stream, used, met);
-            for (std::size_t lane = 0; lane < lanes; ++lane)
-                blocked[first + lane] = (met[lane / kLanes] >> (lane % kLanes)) & 1;
+            writeBits(met, lanes, blocked + first);
         }
         return;
     }
     const auto occluded16 = kernels().occluded[precision];
     const auto occludedTile = kernels().occludedTile[precision];
     const bool tiled = scene.readyForTiles(count);
-    RayPacket packets[kTilePackets];
-    for (std::size_t first = 0; first < count; first += kTileLanes) {
-        const std::size_t lanes = std::min(kTileLanes, count - first);
-        const uint32_t used = reader.fill(packets, first, lanes);
-        reader.prefetch(first + lanes, std::min(kTileLanes, count - first - lanes));
+    forEachTile(reader, count, [&](const RayPacket* packets, uint32_t used, std::size_t first,
+                                   std::size_t lanes) {
         uint32_t masks[kTilePackets] = {};
         if (tiled)
             occludedTile(scene.view(), packets, used, masks);
         else
             for (uint32_t p = 0; p < used; ++p) occluded16(scene.view(), packets[p], masks[p]);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            blocked[first + lane] = (masks[lane / kLanes] >> (lane % kLanes)) & 1;
-        }
-    }
+        writeBits(masks, lanes, blocked + first);
+    });
 }
 
 /// Of lazy models that the rays came to.
