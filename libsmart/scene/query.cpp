@@ -232,19 +232,16 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
                    std::size_t count, Coherence coherence) {
     const FpEnvironment standard;
     const int precision = int(scene.precision());
+    const bool tiled = scene.readyForTiles(count);
     const RayReader reader(rays);
     const HitWriter writer(scene, reader, hits);
-    if (coherence == Coherence::Incoherent) {
-        scene.readyForTiles(count);
-        if (count < kLanes) {
-            const auto intersect1 = kernels().intersect1[precision];
-            Hit hit;
-            for (std::size_t i = 0; i < count; ++i) {
-                intersect1(scene.view(), reader.ray(i), hit);
-                writer.write(i, hit);
-            }
-            return;
-        }
+    if (count == 1) {
+        Hit hit;
+        kernels().intersect1[precision](scene.view(), reader.ray(0), hit);
+        writer.write(0, hit);
+        return;
+    }
+    if (coherence == Coherence::Incoherent && count > kLanes) {
         const auto intersectStream = kernels().intersectStream[precision];
         RayPacket stream[kStreamPackets];
         HitPacket met[kStreamPackets];
@@ -259,7 +256,6 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
     }
     const auto intersect16 = kernels().intersect[precision];
     const auto intersectTile = kernels().intersectTile[precision];
-    const bool tiled = scene.readyForTiles(count);
     HitPacket found[kTilePackets];
     forEachTile(reader, count, [&](const RayPacket* packets, uint32_t used, std::size_t first,
                                    std::size_t lanes) {
@@ -290,15 +286,13 @@ void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, st
                  Coherence coherence) {
     const FpEnvironment standard;
     const int precision = int(scene.precision());
+    const bool tiled = scene.readyForTiles(count);
     const RayReader reader(rays);
-    if (coherence == Coherence::Incoherent) {
-        scene.readyForTiles(count);
-        if (count < kLanes) {
-            const auto occluded1 = kernels().occluded1[precision];
-            for (std::size_t i = 0; i < count; ++i)
-                blocked[i] = occluded1(scene.view(), reader.ray(i));
-            return;
-        }
+    if (count == 1) {
+        blocked[0] = kernels().occluded1[precision](scene.view(), reader.ray(0));
+        return;
+    }
+    if (coherence == Coherence::Incoherent && count > kLanes) {
         const auto occludedStream = kernels().occludedStream[precision];
         RayPacket stream[kStreamPackets];
         uint32_t met[kStreamPackets];
@@ -312,7 +306,6 @@ void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, st
     }
     const auto occluded16 = kernels().occluded[precision];
     const auto occludedTile = kernels().occludedTile[precision];
-    const bool tiled = scene.readyForTiles(count);
     forEachTile(reader, count, [&](const RayPacket* packets, uint32_t used, std::size_t first,
                                    std::size_t lanes) {
         uint32_t masks[kTilePackets] = {};
