@@ -26,29 +26,46 @@ double fastest(int runs, const std::function<void()>& work) {
     return best;
 }
 
-// Two vectors in flight a unit hide the latency; sums are used, so that nothing is left out.
+volatile float keepFloat;
+volatile unsigned long keepInteger;
+
+// As many sums in flight as hide the latency and fit the registers; all are used in the end, so that
+// nothing is left out.
 constexpr int kChains = 12, kSteps = 2'000'000;
 
+typedef float Vector4 __attribute__((vector_size(16)));
+typedef float Vector8 __attribute__((vector_size(32)));
 typedef float Vector16 __attribute__((vector_size(64)));
 
-#if defined(__x86_64__)
-__attribute__((target_clones("avx512f", "avx2,fma", "default")))
-#endif
-float multiplyAdd() {
-    Vector16 sum[kChains];
-    for (int i = 0; i < kChains; ++i) sum[i] = Vector16{} + float(i);
-    const Vector16 factor = Vector16{} + 0.999f, term = Vector16{} + 0.001f;
+/// Multiplies and adds; returns how many operations that were.
+template <class Vector>
+[[gnu::always_inline]] inline double runChains() {
+    constexpr int kLanes = sizeof(Vector) / sizeof(float);
+    Vector sum[kChains];
+    for (int i = 0; i < kChains; ++i) sum[i] = Vector{} + float(i);
+    const Vector factor = Vector{} + 0.999f, term = Vector{} + 0.001f;
     for (int step = 0; step < kSteps / kChains; ++step) {
         for (int i = 0; i < kChains; ++i) sum[i] = sum[i] * factor + term;
     }
     float total = 0;
     for (int i = 0; i < kChains; ++i)
-        for (int lane = 0; lane < 16; ++lane) total += sum[i][lane];
-    return total;
+        for (int lane = 0; lane < kLanes; ++lane) total += sum[i][lane];
+    keepFloat = total;
+    return 2.0 * kLanes * (kSteps / kChains) * kChains;
 }
 
-volatile float keepFloat;
-volatile unsigned long keepInteger;
+#if defined(__x86_64__)
+__attribute__((target("avx512f"))) double multiplyAdd() {
+    return runChains<Vector16>();
+}
+__attribute__((target("avx2"))) double multiplyAdd() {
+    return runChains<Vector8>();
+}
+__attribute__((target("default")))
+#endif
+double multiplyAdd() {
+    return runChains<Vector4>();
+}
 
 double triadGBs(std::size_t bytes) {
     const std::size_t count = bytes / 3 / sizeof(float);
@@ -77,8 +94,9 @@ Limits measureLimits() {
         }
         keepInteger = sum;
     });
-    const double flops = double(kSteps / kChains * kChains) * 16 * 2;
-    limits.gigaflops = flops * 1e-9 / fastest(6, [] { keepFloat = multiplyAdd(); });
+    double operations = 0;
+    const double seconds = fastest(6, [&] { operations = multiplyAdd(); });
+    limits.gigaflops = operations * 1e-9 / seconds;
     limits.cacheGBs = triadGBs(256 << 10);
     limits.memoryGBs = triadGBs(std::size_t(192) << 20);
     return limits;
