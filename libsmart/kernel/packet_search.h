@@ -100,16 +100,15 @@ private:
             for (; lanes; lanes &= lanes - 1) visitAlone(block, lowestBit(lanes));
     }
     HWY_INLINE void visitTogether(const TriangleBlock& block, const Mask<N>& lanes) {
-        Real<N> best = Real<N>::load(best_);
-        bool some = false;
+        const Real<N> before = Real<N>::load(best_);
+        Real<N> best = before;
         packet_.meetTogether(
             block, lanes, best, query_,
             [&](const Mask<N>& hit, const Real<N>& t, uint32_t number) HWY_ATTR {
                 best = query_.accept(hit, t, best, number);
-                some |= any(hit);
                 return lanes;
             });
-        if (!some) return;
+        if (!any(best != before)) return;
         best.store(best_);
         look(best);
         ++hits_;
