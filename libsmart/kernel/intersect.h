@@ -44,11 +44,12 @@ public:
                    const RayShear& shear)
         : triangles_(model.triangles), shear_(shear), rays_(rays) {
         const float maxAbs = triangleBox(model).maxAbs;
-        // Weights of slivers err in float, and t with them, by a share of the triangle's depth.
+        // Weights of slivers err in float, and t with them, by a share of the triangle's depth; by
+        // any share where three factors of the test's products, which are coordinates, underflow.
+        const float doubt = maxAbs < 0x1p-30f ? __builtin_inff() : 0x1p-10f;
         doubtful_ = magnitude(shear_.scale()) *
-                    (Real<N>(maxAbs) + magnitude(shear_.depthOrigin())) *
-                    Real<N>(0x1p-10f);
-        // Three factors of the test's products are coordinates: beyond this they may overflow.
+                    (Real<N>(maxAbs) + magnitude(shear_.depthOrigin())) * Real<N>(doubt);
+        // Beyond this they may overflow.
         const Real<N> largest(0x1p40f);
         large_ = Real<N>(maxAbs) > largest;
         for (int k = 0; k < 3; ++k)
