@@ -263,14 +263,14 @@ private:
             const double candidate = distance(plane, i, distances[i]);
             if (query.triangle[i] == kNoHit) {
                 if (candidate > limits[i]) open &= ~bit;
-                distances[i] = float(candidate < limits[i] ? candidate : limits[i]);
+                distances[i] = distances[i] < limits[i] ? distances[i] : limits[i];
                 continue;
             }
             if (!query.sharesModel(i)) continue;
             open &= ~bit;
             const Plane holder(triangles_[query.triangle[i]]);
             const double stored = distance(holder, i, limits[i]);
-            if (candidate < query.tNear[i] || candidate > stored) continue;
+            if (distances[i] < query.tNear[i] || candidate > stored) continue;
             if (candidate == stored && !query.precedes(number, i)) continue;
             query.keepTriangle(Mask<N>::fromBits(bit), number);
             // The float distance of a triangle, whatever it was compared with: what other instances
