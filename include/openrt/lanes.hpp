@@ -37,6 +37,8 @@ inline constexpr RTuint kLaneBit[kLanes] = {1u << 0,  1u << 1,  1u << 2,  1u << 
 
 constexpr Mask operator&(const Mask& a, const Mask& b) { return Mask(a.bits & b.bits); }
 constexpr Mask operator|(const Mask& a, const Mask& b) { return Mask(a.bits | b.bits); }
+constexpr Mask& operator&=(Mask& a, const Mask& b) { return a = a & b; }
+constexpr Mask& operator|=(Mask& a, const Mask& b) { return a = a | b; }
 constexpr Mask operator!(const Mask& a) { return Mask(~a.bits & ((1u << kLanes) - 1u)); }
 constexpr bool any(const Mask& mask) { return mask.bits != 0; }
 constexpr bool any(bool condition) { return condition; }
@@ -81,6 +83,7 @@ inline Floats operator-(const Floats& a) {
 inline Floats& operator+=(Floats& a, const Floats& b) { return a = a + b; }
 inline Floats& operator-=(Floats& a, const Floats& b) { return a = a - b; }
 inline Floats& operator*=(Floats& a, const Floats& b) { return a = a * b; }
+inline Floats& operator/=(Floats& a, const Floats& b) { return a = a / b; }
 
 namespace detail {
 #if defined(__GNUC__)

@@ -24,6 +24,8 @@ public:
         for (int i = 0; i < kLanes; ++i) values[i] = next();
         return values;
     }
+    PacketVec2 pairs() { return {lanes(), lanes()}; }
+    PacketVec4 quadruples() { return {lanes(), lanes(), lanes(), lanes()}; }
     PacketVec3 vectors() { return {lanes(), lanes(), lanes()}; }
     PacketColor colors() { return {lanes(), lanes(), lanes()}; }
 
@@ -48,6 +50,12 @@ private:
 bool same(float a, float b) {
     return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b) ||
            (std::isnan(a) && std::isnan(b));
+}
+bool same(const Vec2& a, const Vec2& b) {
+    return same(a.x, b.x) && same(a.y, b.y);
+}
+bool same(const Vec4& a, const Vec4& b) {
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z) && same(a.w, b.w);
 }
 bool same(const Vec3& a, const Vec3& b) {
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
@@ -75,6 +83,8 @@ int differences(Draw draw, Function function) {
 }
 
 const auto kFloats = [](Numbers& n) { return n.lanes(); };
+const auto kPairs = [](Numbers& n) { return n.pairs(); };
+const auto kQuadruples = [](Numbers& n) { return n.quadruples(); };
 const auto kVectors = [](Numbers& n) { return n.vectors(); };
 const auto kColors = [](Numbers& n) { return n.colors(); };
 
@@ -132,6 +142,40 @@ TEST(PacketVectors, ColorsToo) {
               0);
 }
 
+TEST(PacketVectors, TwoAndFourNumbersToo) {
+    const auto combined = [](const auto& a, const auto& b) { return 2.0f * (a - b) + a * b.x; };
+    const auto product = [](const auto& a, const auto& b) { return dot(a, b); };
+    const auto lesser = [](const auto& a, const auto& b) { return select(a.x < b.x, a, b); };
+    EXPECT_EQ(differences(kPairs, combined), 0);
+    EXPECT_EQ(differences(kPairs, product), 0);
+    EXPECT_EQ(differences(kPairs, lesser), 0);
+    EXPECT_EQ(differences(kQuadruples, combined), 0);
+    EXPECT_EQ(differences(kQuadruples, product), 0);
+    EXPECT_EQ(differences(kQuadruples, lesser), 0);
+}
+
+TEST(PacketVectors, AssignmentsAreThoseOfVectors) {
+    EXPECT_EQ(differences(kFloats,
+                          [](auto a, const auto& b) {
+                              a += b;
+                              a *= 3.0f;
+                              return a /= b;
+                          }),
+              0);
+    EXPECT_EQ(differences(kVectors,
+                          [](auto a, const auto& b) {
+                              a -= b;
+                              return a *= b.x;
+                          }),
+              0);
+    EXPECT_EQ(differences(kColors,
+                          [](auto a, const auto& b) {
+                              a *= b;
+                              return a *= 0.5f;
+                          }),
+              0);
+}
+
 TEST(PacketVectors, SelectTakesLanesApart) {
     Numbers numbers;
     const PacketColor yes = numbers.colors(), no = numbers.colors();
@@ -147,6 +191,9 @@ TEST(PacketVectors, ConditionsAreThoseOfFloats) {
         const PacketColor c = numbers.colors();
         const Mask less = a < b, more = a > b, atMost = a <= b, atLeast = a >= b, equal = a == b,
                    other = a != b, black = c.black();
+        Mask both = less, either = less;
+        both &= other;
+        either |= equal;
         for (int i = 0; i < kLanes; ++i) {
             EXPECT_EQ(less[i], a[i] < b[i]);
             EXPECT_EQ(more[i], a[i] > b[i]);
@@ -156,6 +203,8 @@ TEST(PacketVectors, ConditionsAreThoseOfFloats) {
             EXPECT_EQ(other[i], a[i] != b[i]);
             EXPECT_EQ((!less)[i], !(a[i] < b[i]));
             EXPECT_EQ(black[i], c[i].black());
+            EXPECT_EQ(both[i], a[i] < b[i] && a[i] != b[i]);
+            EXPECT_EQ(either[i], a[i] < b[i] || a[i] == b[i]);
         }
     }
 }
