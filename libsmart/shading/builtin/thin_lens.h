@@ -18,7 +18,7 @@ struct ThinLens {
     Vec3 vertical{0, 2, 0};
     Vec3 horizontal{2, 0, 0};
     float aperture = 0;
-    float focusDistance = 1;
+    float focusDistance = 1; ///< may be infinite
 
     void registerParams(const ShaderRegistrator& r) const {
         r.registerParam<Vec3>("origin", PER_SHADER, offsetof(ThinLens, origin));
@@ -40,8 +40,8 @@ struct ThinLens {
         const float radius = aperture * sqrt(c.random()), angle = kTwoPi * c.random();
         const Vec3 offset = right * (radius * math::cos(angle)) + up * (radius * math::sin(angle));
         const float along = dot(direction, axis);
-        const float stretch = focusDistance / (along < 0 ? -along : along);
-        c.setRay(origin + offset, direction * stretch - offset);
+        const float shrink = (along < 0 ? -along : along) / focusDistance; // 0: focus at infinity
+        c.setRay(origin + offset, direction - offset * shrink);
     }
 };
 

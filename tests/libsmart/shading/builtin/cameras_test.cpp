@@ -100,6 +100,15 @@ TEST(ThinLensTest, AllRaysOfAPointMeetInTheFocalPlane) {
     EXPECT_GT(farthest, 0.49);
 }
 
+TEST(ThinLensTest, FocusedAtInfinityTheRaysOfAPointAreParallel) {
+    const auto camera = lens().set("aperture", 0.5f).set("focusDistance", kInfinity).make();
+    FakeTracer tracer;
+    tracer.nextRandom = [] { return 0.75f; };
+    const RTScameraray ray = rayOf(*camera, 0.25f, 1, &tracer);
+    EXPECT_EQ(Vec3(ray.direction), Vec3(-1, 1, -5));
+    EXPECT_NEAR(std::hypot(ray.origin[0] - 1, ray.origin[1] - 2), 0.5 * std::sqrt(0.75), 1e-6);
+}
+
 TEST(PanoramaTest, ItsPictureIsAnEnvironmentImage) {
     // What the image environment looks up in the camera's direction is the camera's (x, y).
     for (const float rotation : {0.0f, 90.0f, -33.0f}) {
