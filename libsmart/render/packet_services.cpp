@@ -536,6 +536,7 @@ void RayServices::packetEnvironment(RTSpacket* packet, RTuint lanes, const RTSve
     glm::vec4 colors[kPacketSize];
     self.shadeMisses(rays, lanes, colors);
     forEach(lanes, [&](int i) {
+        rays.sample[i]->fault |= !hasFiniteRadiance(colors[i]);
         radiance->r.lane[i] = colors[i].r;
         radiance->g.lane[i] = colors[i].g;
         radiance->b.lane[i] = colors[i].b;

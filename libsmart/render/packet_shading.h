@@ -172,6 +172,7 @@ RTuint ShadingServices<Shading>::packetTrace(RTSpacket* packet, RTuint lanes,
     glm::vec4 colors[kPacketSize];
     self.shadeRays(rays, traced, colors);
     forEach(traced, [&](int i) {
+        rays.sample[i]->fault |= !hasFiniteRadiance(colors[i]);
         radiance->r.lane[i] = colors[i].r;
         radiance->g.lane[i] = colors[i].g;
         radiance->b.lane[i] = colors[i].b;

@@ -273,7 +273,9 @@ void RayServices::environment(RTSstate* state, const float direction[3], float r
         Ray ray{};
         copy(ray.org, state->position);
         copy(ray.dir, unitDirection(direction));
-        color = self.shadeMiss(ray, onward(*state, state->weight));
+        const PathState path = onward(*state, state->weight);
+        color = self.shadeMiss(ray, path);
+        path.sample->fault |= !hasFiniteRadiance(color);
     }
     for (int k = 0; k < 3; ++k) radiance[k] = color[k];
 }

@@ -51,6 +51,10 @@ inline bool isFinite(const glm::vec4& v) {
     const glm::vec4 none = v - v; // NaN of what is infinite or NaN
     return none.x + none.y + none.z + none.w == 0.0f;
 }
+/// Of what a traced ray sees alpha says nothing.
+inline bool hasFiniteRadiance(const glm::vec4& color) {
+    return isFinite({color.r, color.g, color.b, 0.0f});
+}
 
 /// What one camera ray brings home.
 struct ShadedSample {

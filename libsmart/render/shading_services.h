@@ -179,6 +179,7 @@ int ShadingServices<Shading>::trace(RTSstate* state, const float origin[3],
     const Hit hit = self.findHit(ray);
     const PathState path = onward(*state, share);
     const glm::vec4 color = self.shadeRay(ray, hit, path, nullptr);
+    path.sample->fault |= !hasFiniteRadiance(color);
     for (int k = 0; k < 3; ++k) radiance[k] = color[k];
     return 1;
 }

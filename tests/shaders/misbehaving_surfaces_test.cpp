@@ -193,6 +193,47 @@ TEST_F(MisbehavingSurfaces, SecondaryRaysCarryTheFault) {
     expectReported(showing.size());
 }
 
+/// Uses what its ray brings only as far as it is a number.
+struct Swallows {
+    void shade(openrt::TraceContext& c) const {
+        const openrt::Color seen = c.trace(c.position(), c.rayDirection());
+        const openrt::Color around = c.environment(c.rayDirection());
+        c.setRadiance({std::fmin(seen.r, 0.5f), std::fmin(seen.g, 0.5f), std::fmin(around.b, 0.5f)});
+    }
+};
+struct SwallowsInPackets {
+    static constexpr bool shadesPackets = true;
+    template <class Context>
+    void shade(Context& c) const {
+        typename Context::Color seen = c.trace(c.position(), c.rayDirection());
+        seen = select(seen.g < 0.5f, seen, typename Context::Color(openrt::Color(0.5f)));
+        const typename Context::Color around = c.environment(c.rayDirection());
+        c.setRadiance(select(around.b < 0.5f, seen, typename Context::Color()));
+    }
+};
+struct NanAround : NanRadiance {
+    static constexpr openrt::ShaderKind kind = openrt::ShaderKind::Environment;
+};
+
+TEST_F(MisbehavingSurfaces, WhatIsNoNumberCanNotBeHiddenByWhoeverAskedForIt) {
+    for (const RTuint asking :
+         {own<Swallows>("Swallows"), own<SwallowsInPackets>("SwallowsInPackets")}) {
+        rectangle(asking, 0, 0, 16, 8, 1);
+        rectangle(steady_, 0, 0, 16, 16, 0);
+        EXPECT_EQ(render().at(1, 1)[1], 0.5f);
+        expectReported(0);
+        rectangle(asking, 0, 0, 16, 8, 1);
+        rectangle(own<NanRadiance>("NanRadiance"), 0, 0, 16, 16, 0);
+        EXPECT_EQ(blackPixels(render()), pixelsWhere([](int, int) { return true; }));
+        expectReported(256);
+        rectangle(asking, 0, 0, 16, 8, 1);
+        rectangle(steady_, 0, 0, 16, 16, 0);
+        rtUseEnvironmentShader(own<NanAround>("NanAround"));
+        EXPECT_EQ(blackPixels(render()), pixelsWhere([](int, int y) { return y < 8; }));
+        expectReported(128);
+    }
+}
+
 /// Transparencies that are no share of light.
 template <int what>
 struct Pane {
