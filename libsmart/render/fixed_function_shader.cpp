@@ -8,6 +8,7 @@
 
 #include "libsmart/render/ray_cone.h"
 #include "libsmart/render/ray_services.h"
+#include "libsmart/shading/builtin/surfaces.h"
 
 namespace smart {
 namespace {
@@ -270,8 +271,9 @@ FixedArrival FixedFunctionShader::findArrival(PointState& point, uint32_t lights
 glm::vec4 FixedFunctionShader::reflected(PointState& point, const glm::vec4& color,
                                          float share) const {
     RTSstate& state = point.state;
-    float direction[3], seen[3];
-    rtsReflectedDirection(&state, direction);
+    const openrt::Vec3 mirrored = builtin::mirroredInFront(openrt::TraceContext(&state));
+    const float direction[3] = {mirrored.x, mirrored.y, mirrored.z};
+    float seen[3];
     if (!state.functions->trace(&state, state.position, direction, share * state.weight, seen))
         return color;
     return {(1.0f - share) * color.r + share * seen[0], (1.0f - share) * color.g + share * seen[1],

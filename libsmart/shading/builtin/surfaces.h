@@ -143,6 +143,12 @@ struct TextureShader {
     }
 };
 
+/// The mirrored direction, on the side of the triangle that the ray came from.
+template <class Context>
+typename Context::Vec3 mirroredInFront(const Context& c) {
+    return inFrontOf(c.facingGeometricNormal(), c.reflectedDirection());
+}
+
 /// attenuation * what the mirrored ray sees
 struct MirrorShader {
     Color attenuation{1.0f};
@@ -155,7 +161,7 @@ struct MirrorShader {
     template <class Context>
     void shade(Context& c) const {
         c.setRadiance(attenuation *
-                      c.trace(c.position(), c.reflectedDirection(), attenuation.largest()));
+                      c.trace(c.position(), mirroredInFront(c), attenuation.largest()));
     }
 };
 
@@ -187,8 +193,8 @@ struct Phong {
     void shade(Context& c) const {
         using PointColor = typename Context::Color;
         const auto normal = c.facingNormal();
-        const bool mirrors = !specular.black() || !reflection.black();
-        const auto mirrored = mirrors ? c.reflectedDirection() : typename Context::Vec3();
+        const auto mirrored =
+            specular.black() ? typename Context::Vec3() : c.reflectedDirection();
         const PointColor texel = texture ? PointColor(colorOf(c.texture(texture, c.texCoord())))
                                          : PointColor(Color(1.0f));
         const PointColor surface = texel * diffuse;
@@ -209,7 +215,7 @@ struct Phong {
                              sum);
         });
         if (!reflection.black())
-            sum += reflection * c.trace(c.position(), mirrored, reflection.largest());
+            sum += reflection * c.trace(c.position(), mirroredInFront(c), reflection.largest());
         if (!transmission.black())
             sum += transmission * c.trace(c.position(), c.rayDirection(), transmission.largest());
         c.setRadiance(sum);

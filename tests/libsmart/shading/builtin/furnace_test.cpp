@@ -146,6 +146,32 @@ TEST_F(FurnaceTest, Glass) {
     EXPECT_NEAR(furnace(dense), 1, 0.005);
 }
 
+TEST_F(FurnaceTest, MirrorsLoseNothingAtTheRim) {
+    const auto mirrored = [&](RTuint surface) {
+        rtUseCamera(make("Orthographic"));
+        set("lowerLeft", Vec3(0.975f, -0.03f, 3));
+        set("horizontal", Vec3(0.02f, 0, 0));
+        set("vertical", Vec3(0, 0.06f, 0));
+        useEnvironment(1);
+        rtBindShader(surface);
+        drawSphere();
+        return render();
+    };
+    const RTuint mirror = make("MirrorShader");
+    set("attenuation", Color(0.5f));
+    EXPECT_NEAR(mirrored(mirror), 0.5, 1e-6);
+    const RTuint phong = make("Phong");
+    set("diffuse", Color(0.0f));
+    set("reflection", Color(0.5f));
+    EXPECT_NEAR(mirrored(phong), 0.5, 1e-6);
+    const float black[4] = {0, 0, 0, 1};
+    rtEnable(RT_LIGHTING);
+    rtEnable(RT_REFLECTIONS);
+    rtMaterialfv(RT_FRONT_AND_BACK, RT_AMBIENT_AND_DIFFUSE, black);
+    rtMaterialf(RT_FRONT_AND_BACK, RT_REFLECTION, 0.5f);
+    EXPECT_NEAR(mirrored(0), 0.5, 1e-6);
+}
+
 TEST_F(FurnaceTest, ASurfaceThatAbsorbsIsSeen) {
     const RTuint glass = make("Glass");
     set("absorption", Color(0.1f));

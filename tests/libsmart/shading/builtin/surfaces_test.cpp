@@ -201,6 +201,22 @@ TEST(SurfacesTest, PathsOfSmallWeightEndByChanceAndCountAsMuchMore) {
     EXPECT_EQ(tracer.tracedRays, 1);
 }
 
+TEST(SurfacesTest, NoMirroredDirectionLeadsBehindTheTriangle) {
+    FakeTracer tracer;
+    tracer.state.shadingNormal[0] = 0.6f;
+    tracer.state.shadingNormal[2] = 0.8f;
+    tracer.setRay(0.8f, 0, -0.6f); // at right angles to that normal: it mirrors nothing
+    for (const char* name : {"MirrorShader", "Phong", "MetallicRoughness"}) {
+        MadeShader made(name);
+        if (name[0] == 'P') std::move(made).set("reflection", Color(1.0f));
+        if (name[1] == 'e') std::move(made).set("roughness", 0.0f);
+        tracer.shade(*std::move(made).make());
+        EXPECT_FLOAT_EQ(tracer.tracedDirection[0], 0.8f) << name;
+        EXPECT_FLOAT_EQ(tracer.tracedDirection[2], 0.6f) << name;
+    }
+    EXPECT_EQ(tracer.tracedRays, 3);
+}
+
 TEST(SurfacesTest, NoRandomDirectionLeadsBehindTheTriangle) {
     FakeTracer tracer;
     std::mt19937 generator(6);
