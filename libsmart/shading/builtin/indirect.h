@@ -22,8 +22,9 @@ inline constexpr float kRouletteShare = 0.25f;
 
 /// throughput * radiance along a ray from the shaded point. Russian roulette (Arvo and Kirk,
 /// "Particle transport and image synthesis", 1990): a path whose share of the pixel falls below
-/// kRouletteShare goes on with the probability share / kRouletteShare and then counts as much
-/// more. So the weight cut-off, which would darken the picture, does not act on paths.
+/// kRouletteShare, or below the point's where that is less already, goes on with the probability
+/// share / (that limit) and then counts as much more. So a weight cut-off up to kRouletteShare,
+/// which would darken the picture, does not act on such rays.
 template <class Context>
 typename Context::Color continuePath(Context& c, const typename Context::Vec3& direction,
                                      const typename Context::Color& throughput,
@@ -34,12 +35,12 @@ typename Context::Color continuePath(Context& c, const typename Context::Vec3& d
     wanted = wanted & active & !black;
     if (!any(wanted)) return {};
     const Float largest = min(throughput.largest(), Float(1.0f));
-    const Float share = largest * c.weight();
-    const Condition risky = wanted & (share < kRouletteShare);
-    const Float survival = select(risky, share / kRouletteShare, Float(1.0f));
+    const Float share = largest * c.weight(), least = min(Float(kRouletteShare), c.weight());
+    const Condition risky = wanted & (share < least);
+    const Float survival = select(risky, share / least, Float(1.0f));
     const Float number = c.random(risky);
     const Condition alive = wanted & !(risky & (number >= survival));
-    const Float weight = select(risky, kRouletteShare / Float(c.weight()), largest);
+    const Float weight = select(risky, least / c.weight(), largest);
     const typename Context::Color radiance = c.trace(c.position(), direction, weight, alive);
     return select(alive, throughput * radiance / survival, typename Context::Color());
 }

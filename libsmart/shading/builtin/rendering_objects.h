@@ -68,7 +68,7 @@ private:
 /// are asked at every point of a path, so that geometry that glows should not be in their places
 /// as well. Paths end where they meet nothing, at the frame's recursion limit (rtRecursionLimit;
 /// it darkens where many reflections matter: raise it), and by Russian roulette where their share
-/// of the pixel is small, which darkens nothing; the weight cut-off does not act on them.
+/// of the pixel is small, which darkens nothing; see continuePath.
 struct PathTracer {
     int samples = 0; ///< at most 4096; less than 1: what rtSamples asks for
 

@@ -172,6 +172,31 @@ TEST_F(FurnaceTest, MirrorsLoseNothingAtTheRim) {
     EXPECT_NEAR(mirrored(0), 0.5, 1e-6);
 }
 
+TEST_F(FurnaceTest, APathThroughAWeakMirrorIsNoNoisierThanItsRoulette) {
+    constexpr int kPaths = 64;
+    // A tiny mirror that fills the picture shows the glowing sphere around it and the camera.
+    make("MirrorShader");
+    set("attenuation", Color(0.01f));
+    rtBegin(RT_TRIANGLES);
+    rtVertex3f(0.09f, 0.19f, 0.299f);
+    rtVertex3f(0.13f, 0.19f, 0.299f);
+    rtVertex3f(0.09f, 0.23f, 0.299f);
+    rtEnd();
+    make("Phong");
+    set("emissive", Color(0.5f));
+    set("diffuse", Color(0.5f));
+    drawSphere();
+    lookOutOfSphere();
+    usePaths(kPaths);
+    const double mean = render() / 0.01;
+    EXPECT_NEAR(mean, 1, 0.05);
+    double squares = 0;
+    for (std::size_t i = 0; i < pixels_.size(); i += 3)
+        squares += std::pow(double(pixels_[i]) / 0.01 - mean, 2);
+    // Every other path ends at each wall, having gained 0.5 there: geometrically distributed.
+    EXPECT_NEAR(std::sqrt(squares / (double(kSide) * kSide)), 0.5 * std::sqrt(2.0 / kPaths), 0.03);
+}
+
 TEST_F(FurnaceTest, ASurfaceThatAbsorbsIsSeen) {
     const RTuint glass = make("Glass");
     set("absorption", Color(0.1f));

@@ -201,6 +201,22 @@ TEST(SurfacesTest, PathsOfSmallWeightEndByChanceAndCountAsMuchMore) {
     EXPECT_EQ(tracer.tracedRays, 1);
 }
 
+TEST(SurfacesTest, APathThatIsWeakAlreadyIsNotHeldToTheSameLimitAgain) {
+    FakeTracer tracer;
+    tracer.state.flags = RTS_INDIRECT;
+    tracer.state.weight = 0.01f; // as a weak mirror left it
+    tracer.traced = {1, 1, 1};
+    std::vector<float> numbers{0.5f, 0.5f, 0.74f};
+    std::size_t next = 0;
+    tracer.nextRandom = [&] { return numbers[next++ % numbers.size()]; };
+    const auto shader = MadeShader("DiffuseShader").set("color", Color(0.75f)).make();
+    EXPECT_FLOAT_EQ(tracer.shade(*shader)[0], 1); // goes on with probability 3/4
+    EXPECT_FLOAT_EQ(tracer.tracedWeight, 0.01f);
+    numbers = {0.5f, 0.5f, 0.76f};
+    next = 0;
+    EXPECT_EQ(tracer.shade(*shader)[0], 0);
+}
+
 TEST(SurfacesTest, NoMirroredDirectionLeadsBehindTheTriangle) {
     FakeTracer tracer;
     tracer.state.shadingNormal[0] = 0.6f;
