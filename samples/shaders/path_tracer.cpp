@@ -6,7 +6,7 @@
 // The rendering object follows many paths from the camera for each pixel and takes their mean.
 // A surface adds the light that comes directly from the lights, and, where c.indirect() says that
 // a path is under way, what one ray in a random direction brings. The recursion limit ends paths:
-// set RT_RECURSION_LIMIT to the number of times that light may bounce.
+// set rtRecursionLimit to the number of times that light may bounce.
 #include <cmath>
 
 #include "openrt/plugin.hpp"
