@@ -16,6 +16,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <typeinfo>
 
 #include "openrt/rt.h"
@@ -53,6 +54,11 @@ inline void rtParameter(RTuint handle, int value) { rtParameter1i(handle, value)
 inline void rtParameter(RTuint handle, RTuint value) { rtParameter1i(handle, RTint(value)); }
 inline void rtParameter(RTuint handle, float value) { rtParameter1f(handle, value); }
 inline void rtParameter(RTuint handle, double value) { rtParameter1f(handle, float(value)); }
+inline void rtParameter(RTuint handle, openrt::TextureId t) { rtParameter1i(handle, t.id); }
+inline void rtParameter(RTuint handle, const openrt::Int2& v) { rtParameter2i(handle, v.x, v.y); }
+inline void rtParameter(RTuint handle, const openrt::Int3& v) {
+    rtParameter3i(handle, v.x, v.y, v.z);
+}
 inline void rtParameter(RTuint handle, const openrt::Vec2& v) { rtParameter2f(handle, v.x, v.y); }
 inline void rtParameter(RTuint handle, const openrt::Vec3& v) {
     rtParameter3f(handle, v.x, v.y, v.z);
@@ -67,4 +73,16 @@ inline void rtParameter(RTuint handle, const openrt::Mat4& m) { rtParameter16fv(
 inline void rtParameter(RTuint handle, const char* text) { rtParameterString(handle, text); }
 inline void rtParameter(RTuint handle, const std::string& text) {
     rtParameterString(handle, text.c_str());
+}
+/// Of another library: it would convert to Vec3 and Color alike.
+template <openrt::detail::Foreign<3> V>
+void rtParameter(RTuint handle, const V& v) {
+    rtParameter(handle, openrt::Vec3(v));
+}
+/// Any other plain struct.
+template <class T>
+    requires(std::is_class_v<T> && std::is_trivially_copyable_v<T> &&
+             openrt::detail::kForeignLength<T> == 0)
+void rtParameter(RTuint handle, const T& value) {
+    rtParameterRaw(handle, &value, RTuint(sizeof value));
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // openrt/rt.hpp: overloads by type, and a shader class that is a C++ type.
+#include <glm/glm.hpp> // before it: the types convert
+
 #include "openrt/rt.hpp"
 
 #include <gtest/gtest.h>
@@ -64,6 +66,80 @@ TEST_F(CppInterface, ShaderClassesAreTypes) {
     ASSERT_NE(rtGenNewShaderClass("Glow", nullptr), RT_INVALID) << "known by its name now";
     ASSERT_NE(rtGenNewShaderClass<Glow>(), RT_INVALID);
     EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR));
+}
+
+/// A parameter of every type that registerParam takes; shows the one that is asked for.
+struct AllTypes {
+    struct Pair {
+        float a = 0;
+        int b = 0;
+    };
+    bool truth = false;
+    int number = 0;
+    openrt::TextureId texture;
+    openrt::Int2 two;
+    openrt::Int3 three;
+    float real = 0;
+    openrt::Vec2 pair;
+    openrt::Vec3 vector;
+    openrt::Vec4 four;
+    openrt::Color color;
+    openrt::Mat4 matrix;
+    const char* text = "";
+    Pair plain;
+
+    void registerParams(const openrt::ShaderRegistrator& r) const {
+        using openrt::PER_SHADER;
+        r.registerParam<bool>("truth", PER_SHADER, offsetof(AllTypes, truth));
+        r.registerParam<int>("number", PER_SHADER, offsetof(AllTypes, number));
+        r.registerParam<openrt::TextureId>("texture", PER_SHADER, offsetof(AllTypes, texture));
+        r.registerParam<openrt::Int2>("two", PER_SHADER, offsetof(AllTypes, two));
+        r.registerParam<openrt::Int3>("three", PER_SHADER, offsetof(AllTypes, three));
+        r.registerParam<float>("real", PER_SHADER, offsetof(AllTypes, real));
+        r.registerParam<openrt::Vec2>("pair", PER_SHADER, offsetof(AllTypes, pair));
+        r.registerParam<openrt::Vec3>("vector", PER_SHADER, offsetof(AllTypes, vector));
+        r.registerParam<openrt::Vec4>("four", PER_SHADER, offsetof(AllTypes, four));
+        r.registerParam<openrt::Color>("color", PER_SHADER, offsetof(AllTypes, color));
+        r.registerParam<openrt::Mat4>("matrix", PER_SHADER, offsetof(AllTypes, matrix));
+        r.registerParam<const char*>("text", PER_SHADER, offsetof(AllTypes, text));
+        r.registerParam<Pair>("plain", PER_SHADER, offsetof(AllTypes, plain));
+    }
+    void shade(openrt::TraceContext& c) const {
+        const float integers = float(truth + number + texture.id + two.y + three.z);
+        const float reals = real + pair.y + vector.z + four.w + color.b + matrix.m[15];
+        c.setRadiance({integers, reals, float(text[0] - '0') + plain.a + float(plain.b)});
+    }
+};
+
+TEST_F(CppInterface, ParametersOfAllTypes) {
+    rtGenNewShaderClass<AllTypes>("AllTypes");
+    rtGenNewShader();
+    const auto set = [](const char* name, const auto& value) {
+        rtParameter(rtParameterHandle(name), value);
+    };
+    set("truth", true);
+    set("number", 2);
+    set("texture", openrt::TextureId{4});
+    set("two", openrt::Int2{0, 8});
+    set("three", openrt::Int3{0, 0, 16});
+    set("real", 1.0f);
+    set("pair", openrt::Vec2(0, 2));
+    set("vector", openrt::Vec3(0, 0, 4));
+    set("four", openrt::Vec4(0, 0, 0, 8));
+    set("color", openrt::Color(0, 0, 16));
+    openrt::Mat4 matrix;
+    matrix.m[15] = 32;
+    set("matrix", matrix);
+    set("text", "1");
+    set("plain", AllTypes::Pair{2, 4});
+    EXPECT_EQ(render(), openrt::Color(31, 63, 7));
+    set("pair", glm::vec2(0, 1));
+    set("vector", glm::vec3(0, 0, 2));
+    set("four", glm::vec4(0, 0, 0, 3));
+    set("color", glm::vec3(0, 0, 4));
+    set("matrix", glm::mat4(5));
+    EXPECT_EQ(render().g, 1 + 1 + 2 + 3 + 4 + 5);
+    EXPECT_EQ(rtGetError(), RTenum(RT_NO_ERROR)) << rtGetErrorText();
 }
 
 TEST_F(CppInterface, FaultsOfShadersCostPixelsOnly) {
