@@ -471,6 +471,7 @@ RTuint RayServices::packetIlluminate(RTSpacket* packet, RTuint lanes, RTuint lig
             RayStart start;
             HitChain chain;
             self.gatherState(from, i, state, start, chain);
+            start.asksLight = true;
             answer = functions.illuminateSample(part.light->block(), &state, part.sample,
                                                 part.samples, &sample);
         } else {

@@ -230,17 +230,19 @@ RTuint RayServices::lightCount(const RTSstate* state) {
 }
 
 int RayServices::illuminate(RTSstate* state, RTuint light, RTSlightsample* sample) {
-    const RayStart& from = startOf(*state);
+    RayStart& from = startOf(*state);
     const FrameShading& shading = from.services->shading_;
     *sample = {};
-    if (light >= shading.lights.size()) return 0;
+    if (light >= shading.lights.size() || from.asksLight) return 0;
     const LightPart& part = shading.lights[light];
     const RTshaderclass& functions = part.light->functions();
+    from.asksLight = true;
     const int answer =
         functions.illuminateSample
             ? functions.illuminateSample(part.light->block(), state, part.sample, part.samples,
                                          sample)
             : functions.illuminate(part.light->block(), state->position, sample);
+    from.asksLight = false;
     return finishLight(part, answer, *from.sample, *sample);
 }
 

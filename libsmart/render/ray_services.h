@@ -33,6 +33,7 @@ struct RayStart {
     float u = 0, v = 0;
     float error = -1.0f;  ///< surfaceError of the point; negative: not yet known
     bool mayTrace = true; ///< false while shadows ask for transparency
+    bool asksLight = false; ///< a light that does so itself gets none
 };
 
 /// A state for shaders and all that it points to.

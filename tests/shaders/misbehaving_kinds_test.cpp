@@ -103,6 +103,31 @@ TEST_F(MisbehavingKinds, ALightCostsTheSurfacesThatAskIt) {
     EXPECT_EQ(picture(0), without);
 }
 
+/// Asks all lights, and so itself.
+struct AsksLights : Fault {
+    bool illuminate(TraceContext& c, RTuint, RTuint, LightSample& sample) const {
+        sample = {{0, 0, 1}, kInf, Color(0.25f)};
+        if (number == 0) return true;
+        LightSample other{};
+        for (RTuint i = 0; i < c.lightCount(); ++i)
+            if (c.illuminate(i, other)) sample.radiance += other.radiance;
+        return true;
+    }
+};
+
+TEST_F(MisbehavingKinds, ALightThatAsksTheLightsGetsNone) {
+    const auto picture = [&](int fault) {
+        rtUseLight(sun_);
+        rtUseLight(faulty<AsksLights>("AsksLights", fault));
+        rectangle(lit_, 0, 0, 9, 8, 0);
+        rectangle(lit_, 12, 12, 13, 13, 0); // shaded by itself
+        return render();
+    };
+    const SmallPicture reference = picture(0);
+    EXPECT_GT(reference.at(12, 12)[0], 0);
+    check(picture(1), reference, {}, false);
+}
+
 struct ManySamples : Fault {
     RTuint lightSamples() const {
         switch (number) {
