@@ -25,7 +25,8 @@ namespace smart::builtin {
 /// diffuse * environment(n) + (share of the specular lobe) * environment(r); r is the mirrored
 /// direction. The smoother a metal, the more of environment(r) is replaced by what a mirrored ray
 /// sees: by the share metallic * (1 - roughness / kMirrorRoughness).
-/// The current colour multiplies baseColor, as glTF's vertex colours do.
+/// The current colour multiplies baseColor, as glTF's vertex colours do. Unlit, as glTF's
+/// KHR_materials_unlit has it, the surface shows that product and nothing else.
 struct MetallicRoughness {
     enum AlphaMode { Opaque = 0, Mask = 1, Blend = 2 };
     static constexpr float kMirrorRoughness = 0.3f;
@@ -43,6 +44,7 @@ struct MetallicRoughness {
     /// false: camera and other shaded rays pass through where they come from behind the shading
     /// normal. Both sides cast shadows.
     bool doubleSided = true;
+    bool unlit = false;
 
     void registerParams(const ShaderRegistrator& r) const {
         using Self = MetallicRoughness;
@@ -58,6 +60,7 @@ struct MetallicRoughness {
         r.registerParam<int>("alphaMode", PER_SHADER, offsetof(Self, alphaMode));
         r.registerParam<float>("alphaCutoff", PER_SHADER, offsetof(Self, alphaCutoff));
         r.registerParam<bool>("doubleSided", PER_SHADER, offsetof(Self, doubleSided));
+        r.registerParam<bool>("unlit", PER_SHADER, offsetof(Self, unlit));
     }
 
     RTuint reads() const {
@@ -76,7 +79,10 @@ struct MetallicRoughness {
             through = through | (dot(c.shadingNormal(), c.facingGeometricNormal()) < 0.0f);
         const Condition solid = activeOf(c) & !through;
         typename Context::Color radiance;
-        if (any(solid)) radiance = (reflected(c, base, solid) + emission(c)) * coverage;
+        if (unlit)
+            radiance = colorOf(base) * coverage;
+        else if (any(solid))
+            radiance = (reflected(c, base, solid) + emission(c)) * coverage;
         radiance = select(solid, radiance, typename Context::Color());
         const Condition seen = activeOf(c) & (through | (coverage < 1.0f));
         if (any(seen)) {

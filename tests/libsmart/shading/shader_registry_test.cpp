@@ -246,7 +246,7 @@ TEST(BuiltinTest, TheClassesOfThisReleaseExistWithTheirParameters) {
          RT_SURFACE_SHADER,
          {"baseColor", "metallic", "roughness", "emissive", "baseColorTexture",
           "metallicRoughnessTexture", "emissiveTexture", "alphaMode", "alphaCutoff",
-          "doubleSided"}},
+          "doubleSided", "unlit"}},
         {"Glass", RT_SURFACE_SHADER, {"index", "absorption", "color"}},
         {"AmbientOcclusion", RT_SURFACE_SHADER, {"color", "distance", "samples"}},
         {"PointLight", RT_LIGHT_SHADER, {"position", "radiance"}},

@@ -203,6 +203,28 @@ TEST(MetallicRoughnessTest, AlphaModes) {
     EXPECT_EQ(transparency(*made(2, 0.25f)), 0.75f);
 }
 
+TEST(MetallicRoughnessTest, UnlitItShowsItsColourByItsCoverage) {
+    FakeTracer tracer;
+    tracer.traced = {8, 8, 8};
+    tracer.environmentAt[0] = {3, 3, 3};
+    for (float& c : tracer.state.color) c = 0.5f;
+    const auto made = [](int alphaMode) {
+        return MadeShader("MetallicRoughness")
+            .set("unlit", 1)
+            .set("baseColor", Vec4(2, 1, 0.5f, 0.5f))
+            .set("emissive", Color(1.0f))
+            .set("alphaMode", alphaMode)
+            .make();
+    };
+    const auto opaque = tracer.shade(*made(0)), blended = tracer.shade(*made(2));
+    const float expected[] = {1, 0.5f, 0.25f};
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(opaque[c], expected[c]);
+        EXPECT_EQ(blended[c], 0.25f * expected[c] + 0.75f * 8);
+    }
+    EXPECT_EQ(tracer.shade(*made(1))[0], 8); // alpha 0.25 is below the cutoff
+}
+
 TEST(MetallicRoughnessTest, SingleSidedSurfacesAreSeenFromTheirNormalsSideOnly) {
     FakeTracer tracer;
     tracer.traced = {8, 8, 8};

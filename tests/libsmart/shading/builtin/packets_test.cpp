@@ -85,7 +85,14 @@ TEST(BuiltinPacketsTest, Textured) {
 
 TEST(BuiltinPacketsTest, MetallicRoughness) {
     for (const int alphaMode : {0, 1, 2})
-        for (const int textured : {0, 1})
+        for (const int textured : {0, 1}) {
+            expectTwins(MadeShader("MetallicRoughness")
+                            .set("unlit", 1)
+                            .set("baseColor", Vec4(0.9f, 0.5f, 0, 0.7f))
+                            .set("alphaMode", alphaMode)
+                            .set("baseColorTexture", textured)
+                            .make(),
+                        "unlit " + std::to_string(alphaMode) + " " + std::to_string(textured));
             for (const float roughness : {0.0f, 0.2f, 1.0f})
                 expectTwins(MadeShader("MetallicRoughness")
                                 .set("baseColor", Vec4(0.9f, 0.5f, 0, 0.7f))
@@ -100,6 +107,7 @@ TEST(BuiltinPacketsTest, MetallicRoughness) {
                                 .make(),
                             "MetallicRoughness " + std::to_string(alphaMode) + " " +
                                 std::to_string(textured) + " " + std::to_string(roughness));
+        }
 }
 
 TEST(BuiltinPacketsTest, GlassAndOcclusion) {
