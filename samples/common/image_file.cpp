@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 #include "samples/common/jpeg_tables.h"
 
@@ -43,14 +44,39 @@ void take(PixelBudget& budget, uint64_t width, uint64_t height) {
     budget.pixelsLeft -= width * height;
 }
 
+/// A PNG file without what it says of its colours' encoding, by which libpng would convert them. A
+/// texture's numbers are used as they are (glTF 2.0, 3.8.3): its place in the material says whether
+/// they are sRGB.
+std::vector<uint8_t> withoutColorSpace(std::span<const uint8_t> bytes) {
+    constexpr std::string_view kDropped[] = {"cHRM", "gAMA", "iCCP", "sRGB"};
+    constexpr uint64_t kSignature = 8, kAroundData = 12; // length, name, checksum
+    std::vector<uint8_t> kept;
+    kept.reserve(bytes.size());
+    const auto move = [&](uint64_t wanted, bool keep) {
+        const auto part = bytes.first(std::size_t(std::min<uint64_t>(wanted, bytes.size())));
+        if (keep) kept.insert(kept.end(), part.begin(), part.end());
+        bytes = bytes.subspan(part.size());
+    };
+    move(kSignature, true);
+    while (bytes.size() >= kAroundData) {
+        const std::string_view name(reinterpret_cast<const char*>(bytes.data()) + 4, 4);
+        const bool drop = std::count(std::begin(kDropped), std::end(kDropped), name) != 0;
+        move(kAroundData + png_get_uint_32(bytes.data()), !drop);
+    }
+    move(bytes.size(), true);
+    return kept;
+}
+
 Image decodePng(std::span<const uint8_t> bytes, PixelBudget& budget) {
+    const std::vector<uint8_t> file = withoutColorSpace(bytes);
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     const std::unique_ptr<png_image, decltype(&png_image_free)> cleanUp(&png, &png_image_free);
-    if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
+    if (!png_image_begin_read_from_memory(&png, file.data(), file.size())) {
         throw LoadError(std::string("a broken PNG image: ") + png.message);
     }
     take(budget, png.width, png.height);
+    png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // or 16 bits would count as linear
     png.format = PNG_FORMAT_RGBA;
     Image image{png.width, png.height, std::vector<uint8_t>(PNG_IMAGE_SIZE(png))};
     if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) {
