@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
@@ -70,8 +71,14 @@ RtScene::RtScene(const SceneDescription& scene, const Bounds& bounds, const View
     MaterialDescription plain;
     plain.baseColor = {0.55f, 0.55f, 0.55f, 1.0f};
     shaders.push_back(surface(scene, plain)); // the last one: for parts without a material
+    std::vector<bool> mirrored(scene.meshes.size(), false);
+    for (const InstanceDescription& instance : scene.instances) {
+        if (glm::determinant(glm::dmat3(instance.transform)) < 0.0) mirrored[instance.mesh] = true;
+    }
     std::vector<RTuint> objects;
-    for (const MeshDescription& mesh : scene.meshes) objects.push_back(object(mesh, shaders));
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        objects.push_back(object(scene.meshes[i], mirrored[i], shaders));
+    }
     for (const InstanceDescription& description : scene.instances) {
         Instance& instance = instances_.emplace_back();
         instance.object = objects[description.mesh];
@@ -107,19 +114,12 @@ RTuint RtScene::texture(const SceneDescription& scene, int index, bool srgb) {
 
 RTuint RtScene::surface(const SceneDescription& scene, const MaterialDescription& material) {
     const RTuint color = texture(scene, material.baseColorTexture, true);
-    if (material.unlit) {
-        const RTuint shader = newShader(color ? "TextureShader" : "ConstantShader");
-        if (color) {
-            set("texture", int(color));
-        } else {
-            set("value", glm::vec3(material.baseColor) * exposure_);
-        }
-        return shader;
-    }
     const RTuint roughness = texture(scene, material.metallicRoughnessTexture, false);
     const RTuint emission = texture(scene, material.emissiveTexture, true);
     const RTuint shader = newShader("MetallicRoughness");
-    set("baseColor", material.baseColor);
+    // An unlit colour is light.
+    const float gain = material.unlit ? exposure_ : 1.0f;
+    set("baseColor", material.baseColor * glm::vec4(glm::vec3(gain), 1.0f));
     set("metallic", material.metallic);
     set("roughness", material.roughness);
     set("emissive", material.emissive * exposure_);
@@ -129,12 +129,15 @@ RTuint RtScene::surface(const SceneDescription& scene, const MaterialDescription
     set("alphaMode", int(material.alphaMode));
     set("alphaCutoff", material.alphaCutoff);
     set("doubleSided", material.doubleSided ? 1 : 0);
+    set("unlit", material.unlit ? 1 : 0);
     return shader;
 }
 
-RTuint RtScene::object(const MeshDescription& mesh, const std::vector<RTuint>& shaders) {
-    const bool anyNormals = std::any_of(mesh.parts.begin(), mesh.parts.end(),
-                                        [](const MeshPart& p) { return !p.normals.empty(); });
+RTuint RtScene::object(const MeshDescription& mesh, bool mirrored,
+                       const std::vector<RTuint>& shaders) {
+    const bool needsNormals =
+        mirrored || std::any_of(mesh.parts.begin(), mesh.parts.end(),
+                                [](const MeshPart& p) { return !p.normals.empty(); });
     const RTuint id = rtNewObject(RT_DEFINE);
     for (const MeshPart& part : mesh.parts) {
         rtBindShader(part.material < 0 ? shaders.back() : shaders[std::size_t(part.material)]);
@@ -145,8 +148,9 @@ RTuint RtScene::object(const MeshDescription& mesh, const std::vector<RTuint>& s
         };
         rtBegin(RT_TRIANGLES);
         for (std::size_t corner = 0; corner < 3 * part.triangleCount(); ++corner) {
-            if (part.normals.empty() && anyNormals && corner % 3 == 0) {
-                // The normal of an earlier part would stay current.
+            if (part.normals.empty() && needsNormals && corner % 3 == 0) {
+                // The normal of an earlier part would stay current; and without one a mirrored
+                // instance shows its other side.
                 const glm::vec3& a = part.positions[vertexAt(corner)];
                 const glm::vec3 n = glm::cross(part.positions[vertexAt(corner + 1)] - a,
                                                part.positions[vertexAt(corner + 2)] - a);

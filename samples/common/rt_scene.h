@@ -44,7 +44,8 @@ private:
 
     RTuint texture(const SceneDescription& scene, int index, bool srgb);
     RTuint surface(const SceneDescription& scene, const MaterialDescription& material);
-    RTuint object(const MeshDescription& mesh, const std::vector<RTuint>& shaders);
+    /// `mirrored`: some instance turns the winding of its triangles.
+    RTuint object(const MeshDescription& mesh, bool mirrored, const std::vector<RTuint>& shaders);
     void useCamera(const View& view, float aspect) const;
     void addLights(const SceneDescription& scene, const Bounds& bounds, const View& view,
                    const Lighting& lighting);

@@ -11,23 +11,11 @@ import struct
 import sys
 import tempfile
 import unittest
-import zlib
 
 from gltf_documents import document, glb, spoilt
-from program_runs import Runner
+from program_runs import Runner, png
 
 PROGRAM = sys.argv[1]
-
-
-def png(width, height, pixels):
-    def chunk(kind, data):
-        return (struct.pack(">I", len(data)) + kind + data
-                + struct.pack(">I", zlib.crc32(kind + data)))
-    rows = b"".join(b"\0" + bytes(c for p in pixels[y * width:(y + 1) * width] for c in p)
-                    for y in range(height))
-    return (b"\x89PNG\r\n\x1a\n"
-            + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
-            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 class Pictures(unittest.TestCase):

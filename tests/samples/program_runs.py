@@ -51,6 +51,21 @@ def largest_child_bytes():
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
 
 
+def png(width, height, pixels, *chunks, depth=8):
+    """A PNG file of RGB pixels; chunks: pairs of name and data."""
+    def chunk(kind, data):
+        return (struct.pack(">I", len(data)) + kind + data
+                + struct.pack(">I", zlib.crc32(kind + data)))
+    letter = {8: "B", 16: "H"}[depth]
+    rows = b"".join(b"\0" + b"".join(struct.pack(f">3{letter}", *pixel)
+                                     for pixel in pixels[y * width:(y + 1) * width])
+                    for y in range(height))
+    return (b"\x89PNG\r\n\x1a\n"
+            + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, depth, 2, 0, 0, 0))
+            + b"".join(chunk(*pair) for pair in chunks)
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
 class Png:
     """8-bit RGB or RGBA pixels of a PNG file, rows from the top."""
 
