@@ -22,6 +22,12 @@ SANITIZED = len(sys.argv) > 2 and sys.argv[2] == "sanitized"
 MEMORY = (8 if SANITIZED else 1) << 30
 
 
+def sparse(**change):
+    """Replaces each position by itself."""
+    return {"count": 3, "indices": {"bufferView": 1, "componentType": 5123},
+            "values": {"bufferView": 0}, **change}
+
+
 class HostileInputs(unittest.TestCase):
     def setUp(self):
         self._temporary = tempfile.TemporaryDirectory()
@@ -47,7 +53,8 @@ class HostileInputs(unittest.TestCase):
 
     # Control: the documents that are spoilt below are rendered when they are not.
     def test_good_files_are_rendered(self):
-        for name, content in (("good.gltf", document()), ("good.glb", glb(document()))):
+        for name, content in (("good.gltf", document()), ("good.glb", glb(document())),
+                              ("sparse.gltf", spoilt(("accessors", 0, "sparse"), sparse()))):
             picture = self.runner.picture(self.write(name, content))
             self.assertEqual(picture.pixel(8, 6), (255, 0, 0))
             self.assertNotEqual(picture.pixel(0, 0), (255, 0, 0))
@@ -91,8 +98,15 @@ class HostileInputs(unittest.TestCase):
                 ((a, 0, "componentType"), 5124), ((a, 0, "componentType"), 99),
                 ((a, 0, "componentType"), 5130), ((a, 0, "componentType"), "float"),
                 ((a, 0, "type"), "VEC2"), ((a, 0, "type"), "MAT4"), ((a, 0, "type"), "VEC9"),
-                ((a, 0, "sparse"), {"count": 1, "indices": {"bufferView": 0, "componentType": 5123},
-                                    "values": {"bufferView": 0}}),
+                *(((a, 0, "sparse"), sparse(**change)) for change in (
+                    {"count": 4}, {"count": 2 ** 31 - 1}, {"count": -1},
+                    {"indices": {"bufferView": 1, "componentType": 5126}},
+                    {"indices": {"bufferView": 1, "componentType": 5125, "byteOffset": -4}},
+                    {"indices": {"bufferView": 9, "componentType": 5125}},
+                    {"indices": {"bufferView": 0, "componentType": 5123, "byteOffset": 2}},
+                    {"values": {"bufferView": 1}}, {"values": {"bufferView": -1}},
+                    {"values": {"bufferView": 0, "byteOffset": 28}},
+                    {"values": {"bufferView": 0, "byteOffset": -12}})),
                 ((a, 1, "componentType"), 5126), ((a, 1, "count"), 4000000000),
                 ((a, 1, "type"), "VEC3"), ((a, 1, "bufferView"), 2),
                 ((v, 0, "byteLength"), 2 ** 40), ((v, 0, "byteOffset"), 2 ** 64 - 16),
