@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "samples/common/gltf_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstring>
@@ -22,6 +23,10 @@ using nlohmann::json;
 constexpr uint64_t kMaxFileBytes = uint64_t(2) << 30;
 constexpr uint64_t kMaxJsonBytes = uint64_t(256) << 20;
 constexpr int kMaxJsonDepth = 64;
+
+constexpr std::array kKnownExtensions = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                         "KHR_materials_unlit", "KHR_mesh_quantization",
+                                         "KHR_texture_transform"};
 
 /// The JSON text of a file: all of a .gltf, the first chunk of a .glb.
 std::string_view jsonText(std::span<const uint8_t> bytes, bool binary) {
@@ -142,12 +147,11 @@ void checkDocument(const json& root, bool binary) {
         }
     }
     if (const json* required = member(root, "extensionsRequired"); required) {
-        constexpr std::array kKnown = {"KHR_lights_punctual", "KHR_mesh_quantization",
-                                       "KHR_materials_emissive_strength", "KHR_materials_unlit"};
         for (const json& name : *required) {
-            bool known = false;
-            for (const char* candidate : kKnown) known = known || name == candidate;
-            if (!known) throw LoadError("it requires extension " + name.dump(-1, ' ', true));
+            if (!name.is_string() || !knowsGltfExtension(name.get_ref<const std::string&>())) {
+                throw LoadError("it requires extension " + name.dump(-1, ' ', true) +
+                                ", which is not supported");
+            }
         }
     }
 }
@@ -196,6 +200,11 @@ bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, i
 }
 
 } // namespace
+
+bool knowsGltfExtension(std::string_view name) {
+    return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) !=
+           kKnownExtensions.end();
+}
 
 GltfFile readGltf(const std::filesystem::path& path) {
     const std::vector<uint8_t> bytes = readWholeFile(path, kMaxFileBytes);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 namespace samples {
 
@@ -14,6 +15,9 @@ struct GltfFile {
     tinygltf::Model model;
     uint64_t bufferBytes = 0;
 };
+
+/// Whether the loader does what an extension asks for.
+bool knowsGltfExtension(std::string_view name);
 
 /// Reads .gltf and .glb. The container and the shape of the JSON are checked before tinygltf sees
 /// them, and files it refers to are read through ConfinedFolder. Throws LoadError.

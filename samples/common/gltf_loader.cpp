@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -39,6 +40,32 @@ double numberOr(const tinygltf::Value& object, const char* key, double missing) 
     return value.IsNumber() ? value.GetNumberAsDouble() : missing;
 }
 
+glm::vec2 vec2Or(const tinygltf::Value& object, const char* key, float missing) {
+    glm::vec2 v(missing);
+    if (!object.IsObject() || !object.Has(key)) return v;
+    const tinygltf::Value& values = object.Get(key);
+    for (int c = 0; c < 2 && values.IsArray() && std::size_t(c) < values.ArrayLen(); ++c) {
+        if (values.Get(c).IsNumber()) v[c] = float(values.Get(c).GetNumberAsDouble());
+    }
+    return v;
+}
+
+/// KHR_texture_transform: scaled, turned anticlockwise on an image whose t points down, shifted.
+template <class Info>
+TextureCoordinates coordinatesOf(const Info& info) {
+    TextureCoordinates coordinates{info.texCoord, glm::mat3(1.0f)};
+    const auto extension = info.extensions.find("KHR_texture_transform");
+    if (extension == info.extensions.end()) return coordinates;
+    const tinygltf::Value& values = extension->second;
+    coordinates.set = int(std::clamp(numberOr(values, "texCoord", info.texCoord), 0.0, 1e6));
+    const glm::vec2 offset = vec2Or(values, "offset", 0.0f), scale = vec2Or(values, "scale", 1.0f);
+    const auto angle = float(numberOr(values, "rotation", 0.0));
+    const float c = std::cos(angle), s = std::sin(angle);
+    coordinates.transform = {scale.x * c,  -scale.x * s, 0.0f,     scale.y * s, scale.y * c, 0.0f,
+                             offset.x, offset.y, 1.0f};
+    return coordinates;
+}
+
 glm::dmat4 localTransform(const tinygltf::Node& node) {
     glm::dmat4 m(1.0);
     if (node.matrix.size() == 16) {
@@ -66,10 +93,11 @@ public:
 
     SceneDescription read() {
         readMaterials();
-        scene_.meshes = readGltfMeshes(file_, scene_.notes);
+        scene_.meshes = readGltfMeshes(file_, coordinates_, scene_.notes);
         readNodes();
         if (!model_.animations.empty()) note("animations are left out");
         if (!model_.skins.empty()) note("skins are left out");
+        noteExtensions();
         std::set<std::string> once(scene_.notes.begin(), scene_.notes.end());
         scene_.notes.assign(once.begin(), once.end());
         return std::move(scene_);
@@ -78,20 +106,32 @@ public:
 private:
     void note(const char* text) { scene_.notes.emplace_back(text); }
 
+    void noteExtensions() {
+        std::string unknown;
+        for (const std::string& name : model_.extensionsUsed) {
+            if (!knowsGltfExtension(name)) unknown += (unknown.empty() ? "" : ", ") + name;
+        }
+        if (!unknown.empty()) scene_.notes.push_back("extensions that are left out: " + unknown);
+    }
+
     /// Index of the description's texture for a texture of the file; decodes its image once.
+    /// `shared`: the coordinates of the material's textures before this one.
     template <class Info>
-    int texture(const Info& info) {
+    int texture(const Info& info, std::optional<TextureCoordinates>& shared) {
         if (info.index < 0) return -1;
         if (std::size_t(info.index) >= model_.textures.size()) {
             throw LoadError("there is no texture " + std::to_string(info.index));
         }
-        if (info.texCoord != 0) {
-            note("textures with a second set of coordinates are left out");
+        const TextureCoordinates coordinates = coordinatesOf(info);
+        if (shared && *shared != coordinates) {
+            note("textures with other coordinates than their material's first are left out");
             return -1;
         }
-        if (info.extensions.count("KHR_texture_transform")) {
-            note("transforms of textures are left out");
+        if (model_.textures[std::size_t(info.index)].source < 0) {
+            note("textures without an image that is PNG or JPEG are left out");
+            return -1;
         }
+        shared = coordinates;
         const auto [at, added] = textureIndex_.try_emplace(info.index, int(scene_.textures.size()));
         if (!added) return at->second;
         const tinygltf::Texture& source = model_.textures[std::size_t(info.index)];
@@ -150,10 +190,13 @@ private:
                 m.emissive *= float(numberOr(strength->second, "emissiveStrength", 1.0));
             }
             m.unlit = source.extensions.count("KHR_materials_unlit") != 0;
-            m.baseColorTexture = texture(pbr.baseColorTexture);
-            m.metallicRoughnessTexture = texture(pbr.metallicRoughnessTexture);
-            m.emissiveTexture = texture(source.emissiveTexture);
+            std::optional<TextureCoordinates> coordinates;
+            m.baseColorTexture = texture(pbr.baseColorTexture, coordinates);
+            m.metallicRoughnessTexture = texture(pbr.metallicRoughnessTexture, coordinates);
+            m.emissiveTexture = texture(source.emissiveTexture, coordinates);
+            coordinates_.push_back(coordinates.value_or(TextureCoordinates()));
             if (source.normalTexture.index >= 0) note("normal maps are left out");
+            if (source.occlusionTexture.index >= 0) note("occlusion maps are left out");
             m.doubleSided = source.doubleSided;
             m.alphaCutoff = float(source.alphaCutoff);
             if (source.alphaMode == "MASK") m.alphaMode = AlphaMode::Mask;
@@ -276,6 +319,7 @@ private:
     const GltfFile& file_;
     const tinygltf::Model& model_;
     SceneDescription scene_;
+    std::vector<TextureCoordinates> coordinates_; ///< of each material
     std::map<int, int> textureIndex_;
     std::map<int, uint32_t> imageIndex_;
     PixelBudget budget_;

@@ -60,8 +60,12 @@ std::vector<uint32_t> triangleList(int mode, std::size_t count, Corner corner) {
 
 class MeshReader {
 public:
-    MeshReader(const GltfFile& file, std::vector<std::string>& notes)
-        : model_(file.model), notes_(notes), indicesLeft_(kFreeIndices + 8 * file.bufferBytes) {}
+    MeshReader(const GltfFile& file, const std::vector<TextureCoordinates>& coordinates,
+               std::vector<std::string>& notes)
+        : model_(file.model),
+          coordinates_(coordinates),
+          notes_(notes),
+          indicesLeft_(kFreeIndices + 8 * file.bufferBytes) {}
 
     std::optional<MeshPart> read(const tinygltf::Primitive& primitive) {
         // tinygltf leaves -1 where the file says nothing; the default is triangles.
@@ -86,8 +90,14 @@ public:
         if (const auto a = attribute(primitive, "NORMAL", {TINYGLTF_TYPE_VEC3})) {
             part.normals = gather<glm::vec3>(sameCount(*a, *positions), originals, 0.0f);
         }
-        if (const auto a = attribute(primitive, "TEXCOORD_0", {TINYGLTF_TYPE_VEC2})) {
+        const TextureCoordinates coordinates =
+            part.material < 0 ? TextureCoordinates() : coordinates_[std::size_t(part.material)];
+        const std::string set = "TEXCOORD_" + std::to_string(coordinates.set);
+        if (const auto a = attribute(primitive, set, {TINYGLTF_TYPE_VEC2})) {
             part.texCoords = gather<glm::vec2>(sameCount(*a, *positions), originals, 0.0f);
+            for (glm::vec2& t : part.texCoords) {
+                t = glm::vec2(coordinates.transform * glm::vec3(t, 1.0f));
+            }
         }
         if (const auto a =
                 attribute(primitive, "COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4})) {
@@ -99,7 +109,8 @@ public:
 private:
     static constexpr uint64_t kFreeIndices = uint64_t(1) << 20;
 
-    std::optional<GltfAccessor> attribute(const tinygltf::Primitive& primitive, const char* name,
+    std::optional<GltfAccessor> attribute(const tinygltf::Primitive& primitive,
+                                          const std::string& name,
                                           std::initializer_list<int> types) const {
         const auto found = primitive.attributes.find(name);
         if (found == primitive.attributes.end()) return std::nullopt;
@@ -144,6 +155,7 @@ private:
     }
 
     const tinygltf::Model& model_;
+    const std::vector<TextureCoordinates>& coordinates_;
     std::vector<std::string>& notes_;
     uint64_t indicesLeft_;
 };
@@ -151,8 +163,9 @@ private:
 } // namespace
 
 std::vector<MeshDescription> readGltfMeshes(const GltfFile& file,
+                                            const std::vector<TextureCoordinates>& coordinates,
                                             std::vector<std::string>& notes) {
-    MeshReader reader(file, notes);
+    MeshReader reader(file, coordinates, notes);
     std::vector<MeshDescription> meshes;
     for (const tinygltf::Mesh& mesh : file.model.meshes) {
         MeshDescription& description = meshes.emplace_back();
