@@ -10,6 +10,8 @@
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
+#include "samples/common/punctual_light.h"
+
 namespace samples {
 namespace {
 
@@ -31,13 +33,28 @@ int wrapToken(Wrap wrap) {
     }
 }
 
-/// glTF's cone falls off smoothly from the inner to the outer angle; the library's as a power of
-/// the cosine. The power that agrees half-way between the two cosines, where glTF has 1/4.
-float coneExponent(const LightDescription& light) {
-    const float middle =
-        0.5f * (std::cos(light.innerConeRadians) + std::cos(light.outerConeRadians));
-    if (light.innerConeRadians > 0.95f * light.outerConeRadians || middle <= 0.0f) return 0.0f;
-    return std::log(0.25f) / std::log(middle);
+/// A shader for the light; of a simpler class where that does.
+RTuint newLight(const LightDescription& light) {
+    if (light.kind == LightKind::Directional) {
+        const RTuint shader = newShader("DirectionalLight");
+        set("direction", light.direction);
+        return shader;
+    }
+    if (light.kind == LightKind::Point && !std::isfinite(light.range)) {
+        const RTuint shader = newShader("PointLight");
+        set("position", light.position);
+        return shader;
+    }
+    rtGenNewShaderClass<PunctualLight>("PunctualLight");
+    const RTuint shader = rtGenNewShader();
+    set("position", light.position);
+    set("range", light.range);
+    if (light.kind == LightKind::Spot) {
+        set("direction", light.direction);
+        set("cosOuter", std::cos(light.outerConeRadians));
+        set("cosInner", std::cos(light.innerConeRadians));
+    }
+    return shader;
 }
 
 } // namespace
@@ -174,17 +191,8 @@ void RtScene::addLights(const SceneDescription& scene, const Bounds& bounds, con
     // glTF gives the light that arrives; a white diffuse surface shows 1/pi of it.
     const float toRadiance = exposure_ / glm::pi<float>();
     for (const LightDescription& light : scene.lights) {
-        const bool directional = light.kind == LightKind::Directional;
-        lights_.push_back(newShader(directional                      ? "DirectionalLight"
-                                    : light.kind == LightKind::Point ? "PointLight"
-                                                                     : "SpotLightShader"));
+        lights_.push_back(newLight(light));
         set("radiance", light.radiance * toRadiance);
-        if (!directional) set("position", light.position);
-        if (light.kind != LightKind::Point) set("direction", light.direction);
-        if (light.kind == LightKind::Spot) {
-            set("cutoff", glm::degrees(light.outerConeRadians));
-            set("exponent", coneExponent(light));
-        }
     }
     for (const glm::vec3& position : lighting.pointLights) {
         // So strong that all together light the scene's middle with radiance 1.
