@@ -20,6 +20,13 @@ bool hasScheme(const std::string& name) {
 
 } // namespace
 
+std::string endingOf(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    return ending;
+}
+
 std::vector<uint8_t> readWholeFile(const fs::path& path, uint64_t maxBytes) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);

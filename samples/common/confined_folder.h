@@ -16,6 +16,9 @@ public:
     using LoadError::LoadError;
 };
 
+/// The ending of a file's name, with its dot, in lower case.
+std::string endingOf(const std::filesystem::path& path);
+
 /// Reads a whole regular file; throws LoadError: missing, no file, larger than `maxBytes`.
 std::vector<uint8_t> readWholeFile(const std::filesystem::path& path, uint64_t maxBytes);
 

@@ -13,6 +13,9 @@
 namespace samples {
 namespace {
 
+constexpr int kNewFile = O_WRONLY | O_CREAT | O_CLOEXEC;
+constexpr mode_t kMode = 0666;
+
 std::runtime_error failure(const std::filesystem::path& path) {
     return std::runtime_error(path.string() + ": " +
                               std::error_code(errno, std::generic_category()).message());
@@ -21,13 +24,14 @@ std::runtime_error failure(const std::filesystem::path& path) {
 } // namespace
 
 OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
-    constexpr mode_t kMode = 0666;
-    descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
-    created_ = descriptor_ >= 0;
-    // O_NONBLOCK: a named pipe without a reader is refused and does not hang.
-    if (!created_ && errno == EEXIST) {
-        descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    const int trial = open(path_.c_str(), kNewFile | O_EXCL, kMode);
+    if (trial >= 0) {
+        close(trial);
+        unlink(path_.c_str());
+        return;
     }
+    // O_NONBLOCK: a named pipe without a reader is refused and does not hang.
+    if (errno == EEXIST) descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) throw failure(path_);
 }
 
@@ -37,6 +41,11 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::span<const uint8_t> bytes) {
+    if (descriptor_ < 0) {
+        descriptor_ = open(path_.c_str(), kNewFile, kMode);
+        if (descriptor_ < 0) throw failure(path_);
+        created_ = true;
+    }
     struct stat status{};
     if (fstat(descriptor_, &status) != 0) throw failure(path_);
     if (S_ISREG(status.st_mode) && ftruncate(descriptor_, 0) != 0) throw failure(path_);

@@ -7,8 +7,8 @@
 
 namespace samples {
 
-/// A file to be written once. Opening it shows early whether it can be written, leaves what it
-/// holds alone, and a file that did not exist before is removed if nothing is written.
+/// A file to be written once. Making this shows early whether it can be written, leaves what it
+/// holds alone, and no file behind where there was none.
 class OutputFile {
 public:
     /// Throws std::runtime_error with the reason.
@@ -21,7 +21,7 @@ public:
 
 private:
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    int descriptor_ = -1; ///< none: the file did not exist
     bool created_ = false;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "samples/common/scene_loader.h"
 
-#include <algorithm>
 #include <cctype>
 #include <new>
 
@@ -11,15 +10,14 @@
 #ifdef SAMPLES_HAVE_ASSIMP
 #    include "samples/common/mesh_loader.h"
 #endif
+#include "samples/common/confined_folder.h"
 #include "samples/common/tri_loader.h"
 
 namespace samples {
 namespace {
 
 SceneDescription dispatch(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string ending = endingOf(path);
     if (ending == ".tri") return loadTri(path);
     if (ending == ".glb" || ending == ".gltf") {
 #ifdef SAMPLES_HAVE_GLTF

@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "samples/common/confined_folder.h"
 #include "samples/common/image_file.h"
 #include "samples/common/output_file.h"
 #include "samples/tools/render_statistics.h"
@@ -35,10 +35,10 @@ double secondsSince(Clock::time_point start) {
 enum class Format { Png, Exr };
 
 Format formatFrom(const std::string& output) {
-    const std::string ending = std::filesystem::path(output).extension().string();
+    const std::string ending = samples::endingOf(output);
     if (ending == ".png") return Format::Png;
     if (ending == ".exr") return Format::Exr;
-    throw std::runtime_error(output + ": its name ends neither in .png nor in .exr");
+    throw CLI::ValidationError(output + ": its name ends neither in .png nor in .exr");
 }
 
 /// Draws a bar on a terminal while the frame in flight is rendered.
@@ -105,12 +105,12 @@ int run() {
     const std::optional<samples::View> wantedView = samples::viewFrom(options);
     rtInit(nullptr, nullptr);
     samples::applySettings(options);
+    samples::OutputFile file(options.output);
     samples::RenderStatistics statistics;
     const Clock::time_point loadStart = Clock::now();
     samples::Bounds bounds;
     const samples::SceneDescription description = samples::loadVisibleScene(options, bounds);
     statistics.loadSeconds = secondsSince(loadStart);
-    samples::OutputFile file(options.output);
 
     const samples::View view =
         wantedView ? *wantedView : samples::defaultView(description, bounds, size.aspect());
@@ -138,7 +138,7 @@ int run() {
     rtExit();
     file.write(picture.encode());
 
-    for (const std::string& note : description.notes) std::cerr << "note: " << note << '\n';
+    samples::printNotes(description);
     if (statistics.badPixels > 0) {
         std::cerr << "note: " << statistics.badPixels
                   << " pixels are black: a shader failed there\n";

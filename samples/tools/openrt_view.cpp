@@ -207,7 +207,7 @@ int run() {
     samples::applySettings(options);
     samples::Bounds bounds;
     const samples::SceneDescription description = samples::loadVisibleScene(options, bounds);
-    for (const std::string& note : description.notes) std::cerr << "note: " << note << '\n';
+    samples::printNotes(description);
 
     Controls controls{samples::OrbitCamera(
         wantedView ? *wantedView : samples::defaultView(description, bounds, size.aspect()))};

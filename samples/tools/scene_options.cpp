@@ -30,7 +30,7 @@ std::vector<float> numbersFrom(const std::string& option, const std::string& tex
         ++at;
     }
     if (numbers.size() != count || at != end) {
-        throw std::runtime_error(option + " wants " + std::to_string(count) +
+        throw CLI::ValidationError(option + " wants " + std::to_string(count) +
                                  " numbers separated by commas, not '" + text + "'");
     }
     return numbers;
@@ -48,8 +48,11 @@ void SceneOptions::addTo(CLI::App& app) {
         ->allow_extra_args(false);
     app.add_option("--exposure", exposureStops, "stops by which all light is made brighter")
         ->capture_default_str();
-    app.add_option("--samples", samples, "samples a pixel, 1 to 4096")->capture_default_str();
+    app.add_option("--samples", samples, "samples a pixel")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
     app.add_option("--threads", threads, "rendering threads, 0 for all cores")
+        ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.add_option("--precision", precision, "fast, watertight or precise")->capture_default_str();
 }
@@ -65,9 +68,9 @@ PictureSize sizeFrom(const SceneOptions& options) {
         const auto height = std::from_chars(width.ptr + 1, end, size.height);
         good = height.ec == std::errc() && height.ptr == end;
     }
-    if (!good) throw std::runtime_error("--size wants WxH, not '" + text + "'");
+    if (!good) throw CLI::ValidationError("--size wants WxH, not '" + text + "'");
     if (size.width == 0 || size.height == 0 || size.width > kMaxSide || size.height > kMaxSide) {
-        throw std::runtime_error("--size " + text + ": 1 to " + std::to_string(kMaxSide) +
+        throw CLI::ValidationError("--size " + text + ": 1 to " + std::to_string(kMaxSide) +
                                  " pixels a side are possible");
     }
     return size;
@@ -81,7 +84,7 @@ Lighting lightingFrom(const SceneOptions& options) {
     }
     lighting.exposure = std::exp2(options.exposureStops);
     if (!(lighting.exposure > 0.0f) || !std::isfinite(lighting.exposure)) {
-        throw std::runtime_error("--exposure is out of range");
+        throw CLI::ValidationError("--exposure is out of range");
     }
     return lighting;
 }
@@ -93,9 +96,9 @@ std::optional<View> viewFrom(const SceneOptions& options) {
     view.eye = {n[0], n[1], n[2]};
     view.target = {n[3], n[4], n[5]};
     view.fovDegrees = n[6];
-    if (view.eye == view.target) throw std::runtime_error("--camera looks at its own place");
+    if (view.eye == view.target) throw CLI::ValidationError("--camera looks at its own place");
     if (!(view.fovDegrees > 0.0f && view.fovDegrees < 180.0f)) {
-        throw std::runtime_error("--camera wants a field of view between 0 and 180 degrees");
+        throw CLI::ValidationError("--camera wants a field of view between 0 and 180 degrees");
     }
     return view;
 }
@@ -103,12 +106,8 @@ std::optional<View> viewFrom(const SceneOptions& options) {
 void applySettings(const SceneOptions& options) {
     const bool fast = options.precision == "fast", precise = options.precision == "precise";
     if (!fast && !precise && options.precision != "watertight") {
-        throw std::runtime_error("--precision " + options.precision +
+        throw CLI::ValidationError("--precision " + options.precision +
                                  ": there are fast, watertight and precise");
-    }
-    constexpr uint32_t kMaxThreads = 1024;
-    if (options.threads > kMaxThreads) {
-        throw std::runtime_error("--threads: 0 to " + std::to_string(kMaxThreads));
     }
     rtHint(RT_PRECISION_HINT, fast ? RT_FASTEST : precise ? RT_NICEST : RT_DONT_CARE);
     rtThreads(options.threads);
@@ -126,6 +125,10 @@ SceneDescription loadVisibleScene(const SceneOptions& options, Bounds& bounds) {
     } catch (const LoadError& error) {
         throw std::runtime_error(oneLine(options.scene) + ": " + error.what());
     }
+}
+
+void printNotes(const SceneDescription& scene) {
+    for (const std::string& note : scene.notes) std::cerr << "note: " << oneLine(note) << '\n';
 }
 
 int runProgram(CLI::App& app, int argc, char* argv[], int (*run)()) {

@@ -29,14 +29,16 @@ struct PictureSize {
     float aspect() const { return float(width) / float(height); }
 };
 
-/// All of these throw std::runtime_error with one line for the user.
+/// These throw CLI::ValidationError with one line for the user.
 PictureSize sizeFrom(const SceneOptions& options);
 Lighting lightingFrom(const SceneOptions& options);
 std::optional<View> viewFrom(const SceneOptions& options);
 /// Sets threads, precision and samples of the current context.
 void applySettings(const SceneOptions& options);
-/// Loads the scene; one that shows nothing is refused.
+/// Loads the scene; one that shows nothing is refused. Throws std::runtime_error.
 SceneDescription loadVisibleScene(const SceneOptions& options, Bounds& bounds);
+/// What of the file is left out, a line each on stderr.
+void printNotes(const SceneDescription& scene);
 
 /// Parses the command line and calls run(); a failure is one line on stderr and exit code 1 (2
 /// for a wrong command line).

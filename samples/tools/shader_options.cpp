@@ -20,7 +20,7 @@ Made makeShader(const std::string& choice) {
     const std::string name = builtIn ? choice : choice.substr(colon + 1);
     const std::string library = builtIn ? "" : choice.substr(0, colon);
     if (name.empty() || (!builtIn && library.empty()))
-        throw std::runtime_error("'" + choice + "' is neither LIBRARY:CLASS nor CLASS");
+        throw CLI::ValidationError("'" + choice + "' is neither LIBRARY:CLASS nor CLASS");
     rtGenNewShaderClass(name.c_str(), builtIn ? nullptr : library.c_str());
     const RTuint shader = rtGenNewShader();
     checkRt();
@@ -108,7 +108,7 @@ FrameShaders ShaderOptions::make(const View& view, float aspect) const {
     for (const std::string& text : values) {
         const std::size_t dot = text.find('.'), equals = text.find('=');
         if (dot == std::string::npos || equals == std::string::npos || dot > equals)
-            throw std::runtime_error("--set wants CLASS.PARAMETER=VALUE, not '" + text + "'");
+            throw CLI::ValidationError("--set wants CLASS.PARAMETER=VALUE, not '" + text + "'");
         const std::string className = text.substr(0, dot);
         const std::string parameter = text.substr(dot + 1, equals - dot - 1);
         bool found = false;

@@ -92,7 +92,10 @@ TEST(ImageFile, ExrHoldsTheSameNumbers) {
 TEST(OutputFile, LeavesNothingBehindUnlessItIsWritten) {
     const test::TemporaryFolder temporary;
     const auto fresh = temporary.path() / "fresh.png";
-    { const OutputFile unused(fresh); }
+    {
+        const OutputFile unused(fresh);
+        EXPECT_FALSE(std::filesystem::exists(fresh)) << "nor if the program is interrupted";
+    }
     EXPECT_FALSE(std::filesystem::exists(fresh));
     const auto old = temporary.write("old.png", std::string("a longer text"));
     { const OutputFile unused(old); }

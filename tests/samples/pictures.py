@@ -7,9 +7,12 @@ pictures.py OPENRT_RENDER
 import base64
 import json
 import pathlib
+import signal
 import struct
+import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from gltf_documents import document, glb, spoilt
@@ -115,6 +118,27 @@ class Pictures(unittest.TestCase):
                      b"bytes a triangle", b"build seconds", b"primary rays", b"shadow rays",
                      b"secondary rays", b"Mrays/s", b"frame seconds"):
             self.assertIn(name, text.stdout)
+
+    def test_a_wrong_option_is_a_wrong_command_line(self):
+        scene = self.write("a.glb", glb(document()))
+        for wrong in (("--size", "16"), ("--size", "0x4"), ("--samples", "0"),
+                      ("--samples", "4097"), ("--threads", "1025"), ("--precision", "none"),
+                      ("--camera", "1,2"), ("--camera", "0,0,0,0,0,0,45"), ("--light", "1"),
+                      ("--exposure", "1e9"), ("--frames", "0"), ("--set", "nothing")):
+            with self.subTest(wrong=wrong):
+                self.assertEqual(self.runner.run(scene, *wrong).returncode, 2)
+        self.assertEqual(self.runner.run(scene, output="out.jpg").returncode, 2)
+        self.assertEqual(self.runner.run(scene, output="none/out.png").returncode, 1)
+        self.assertEqual(self.runner.run(scene, output="OUT.PNG").returncode, 0)
+
+    def test_an_interrupted_program_leaves_no_file(self):
+        scene = self.write("a.glb", glb(document()))
+        program = subprocess.Popen([PROGRAM, scene, "-o", self.folder / "out.png", "--frames",
+                                    "100000"])
+        time.sleep(0.5)
+        program.terminate()
+        self.assertEqual(program.wait(), -signal.SIGTERM)
+        self.assertFalse((self.folder / "out.png").exists())
 
     def test_exr(self):
         scene = self.write("a.glb", glb(document()))
