@@ -94,10 +94,13 @@ public:
         if (file == name_) return new MemoryStream(bytes_);
         try {
             // The only other files that assimp asks for are material libraries.
-            return new MemoryStream(fromFirstMaterial(folder_.read(file)));
+            auto* library = new MemoryStream(fromFirstMaterial(folder_.read(file)));
+            ++libraries_;
+            return library;
         } catch (const RefusedName& error) {
             if (!refusal_) refusal_ = error;
-        } catch (const LoadError&) {
+        } catch (const LoadError& error) {
+            if (missing_.empty()) missing_ = error.what();
         }
         return nullptr;
     }
@@ -106,12 +109,17 @@ public:
     const std::string& name() const { return name_; }
     ConfinedFolder& folder() { return folder_; }
     const std::optional<RefusedName>& refusal() const { return refusal_; }
+    /// Why there are no materials, although the scene names a library; empty: there are, or it does
+    /// not. Where a library is missing, assimp asks for one with the name of the scene.
+    std::string missingLibrary() const { return libraries_ == 0 ? missing_ : std::string(); }
 
 private:
     std::string name_;
     std::vector<uint8_t> bytes_;
     ConfinedFolder folder_;
     mutable std::optional<RefusedName> refusal_;
+    std::string missing_;
+    unsigned libraries_ = 0;
 };
 
 class MeshReader {
@@ -134,6 +142,10 @@ public:
 
 private:
     static glm::vec3 vec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+    /// Neither format says so, but who writes colours of vertices means sRGB.
+    static float linear(float c) {
+        return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+    }
 
     MeshPart readPart(const aiMesh& mesh) const {
         MeshPart part;
@@ -149,7 +161,7 @@ private:
             }
             if (mesh.HasVertexColors(0)) {
                 const aiColor4D& c = mesh.mColors[0][i];
-                part.colors.emplace_back(c.r, c.g, c.b, c.a);
+                part.colors.emplace_back(linear(c.r), linear(c.g), linear(c.b), c.a);
             }
         }
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
@@ -238,8 +250,7 @@ void checkFaces(const aiScene& scene) {
 
 SceneDescription loadMesh(const std::filesystem::path& path) {
     std::vector<uint8_t> bytes = readWholeFile(path, kMaxFileBytes);
-    const std::string ending = path.extension().string();
-    if (ending == ".ply" || ending == ".PLY") checkPlyHeader(bytes);
+    if (endingOf(path) == ".ply") checkPlyHeader(bytes);
     Assimp::Importer importer;
     auto* system = new ConfinedSystem(path, std::move(bytes)); // the importer's from here on
     importer.SetIOHandler(system);
@@ -257,7 +268,11 @@ SceneDescription loadMesh(const std::filesystem::path& path) {
         scene = importer.ApplyPostProcessing(aiProcess_GenSmoothNormals);
         if (!scene) throw LoadError(importer.GetErrorString());
     }
-    return MeshReader(*scene, system->folder()).read();
+    SceneDescription description = MeshReader(*scene, system->folder()).read();
+    if (const std::string why = system->missingLibrary(); !why.empty()) {
+        description.notes.push_back("its materials are left out: " + why);
+    }
+    return description;
 }
 
 } // namespace samples

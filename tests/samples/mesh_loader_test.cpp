@@ -57,6 +57,39 @@ TEST(MeshLoader, ReadsPly) {
     EXPECT_EQ(triangles(scene), 2u);
 }
 
+TEST(MeshLoader, ColoursOfVerticesAreSrgb) {
+    const test::TemporaryFolder temporary;
+    const auto ply = temporary.write(
+        "mesh.ply", std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                "property float y\nproperty float z\nproperty uchar red\n"
+                                "property uchar green\nproperty uchar blue\nelement face 1\n"
+                                "property list uchar int vertex_indices\nend_header\n"
+                                "0 0 0 255 188 10\n1 0 0 255 188 10\n0 1 0 255 188 10\n"
+                                "3 0 1 2\n"));
+    const auto obj = temporary.write(
+        "mesh.obj", std::string("v 0 0 0 1 0.737255 0.039216\nv 1 0 0 1 0.737255 0.039216\n"
+                                "v 0 1 0 1 0.737255 0.039216\nf 1 2 3\n"));
+    for (const auto& file : {ply, obj}) {
+        const SceneDescription scene = loadMesh(file);
+        for (const glm::vec4& c : scene.meshes.at(0).parts.at(0).colors) {
+            EXPECT_EQ(c.r, 1.0f);
+            EXPECT_NEAR(c.g, 0.5028865f, 1e-5f); // IEC 61966-2-1 on either side of its bend
+            EXPECT_NEAR(c.b, 0.0030353f, 1e-5f);
+        }
+        EXPECT_EQ(scene.meshes[0].parts[0].colors.size(), 3u);
+    }
+}
+
+TEST(MeshLoader, TellsOfMaterialsThatAreMissing) {
+    const test::TemporaryFolder temporary;
+    const auto path = temporary.write(
+        "scene.obj", std::string("mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    ASSERT_EQ(loadMesh(path).notes.size(), 1u);
+    EXPECT_NE(loadMesh(path).notes[0].find("none.mtl"), std::string::npos);
+    temporary.write("none.mtl", std::string("newmtl a\n"));
+    EXPECT_TRUE(loadMesh(path).notes.empty());
+}
+
 TEST(MeshLoader, KeepsTrianglesWithNumbersThatAreNone) {
     const test::TemporaryFolder temporary;
     const SceneDescription scene = loadMesh(temporary.write(
