@@ -113,7 +113,8 @@ void GltfAccessor::readReplacements(const tinygltf::Model& model,
         throw LoadError(what + " has sparse indices of a wrong component type");
     }
     // A negative count or offset becomes one that is beyond any buffer view.
-    const auto size = std::size_t(tinygltf::GetComponentSizeInBytes(uint32_t(indices.componentType)));
+    const auto size =
+        std::size_t(tinygltf::GetComponentSizeInBytes(uint32_t(indices.componentType)));
     const auto at = elements(bufferViewBytes(model, indices.bufferView),
                              std::size_t(indices.byteOffset), std::size_t(count), size, size, what);
     replacements_ = elements(bufferViewBytes(model, values.bufferView),

@@ -14,7 +14,8 @@ namespace samples {
 /// The bytes of a buffer view, checked against its buffer; throws LoadError.
 std::span<const uint8_t> bufferViewBytes(const tinygltf::Model& model, int view);
 
-/// Reads an accessor's elements, sparse ones too. All ranges are checked when it is made; throws LoadError.
+/// Reads an accessor's elements, sparse ones too. All ranges are checked when it is made; throws
+/// LoadError.
 class GltfAccessor {
 public:
     /// types: the TINYGLTF_TYPE_* that are meant to be here. `what` names it in errors.

@@ -61,8 +61,8 @@ TextureCoordinates coordinatesOf(const Info& info) {
     const glm::vec2 offset = vec2Or(values, "offset", 0.0f), scale = vec2Or(values, "scale", 1.0f);
     const auto angle = float(numberOr(values, "rotation", 0.0));
     const float c = std::cos(angle), s = std::sin(angle);
-    coordinates.transform = {scale.x * c,  -scale.x * s, 0.0f,     scale.y * s, scale.y * c, 0.0f,
-                             offset.x, offset.y, 1.0f};
+    coordinates.transform = glm::mat3(glm::vec3(c, -s, 0.0f) * scale.x,
+                                      glm::vec3(s, c, 0.0f) * scale.y, glm::vec3(offset, 1.0f));
     return coordinates;
 }
 

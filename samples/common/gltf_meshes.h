@@ -17,8 +17,8 @@ struct TextureCoordinates {
     bool operator==(const TextureCoordinates&) const = default;
 };
 
-/// All meshes of a file, in its order; `coordinates`: one for each of its materials. Parts that are not triangles are left out with a note.
-/// Throws LoadError.
+/// All meshes of a file, in its order; `coordinates`: one for each of its materials. Parts that are
+/// not triangles are left out with a note. Throws LoadError.
 std::vector<MeshDescription> readGltfMeshes(const GltfFile& file,
                                             const std::vector<TextureCoordinates>& coordinates,
                                             std::vector<std::string>& notes);

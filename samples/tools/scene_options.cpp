@@ -31,7 +31,7 @@ std::vector<float> numbersFrom(const std::string& option, const std::string& tex
     }
     if (numbers.size() != count || at != end) {
         throw CLI::ValidationError(option + " wants " + std::to_string(count) +
-                                 " numbers separated by commas, not '" + text + "'");
+                                   " numbers separated by commas, not '" + text + "'");
     }
     return numbers;
 }
@@ -71,7 +71,7 @@ PictureSize sizeFrom(const SceneOptions& options) {
     if (!good) throw CLI::ValidationError("--size wants WxH, not '" + text + "'");
     if (size.width == 0 || size.height == 0 || size.width > kMaxSide || size.height > kMaxSide) {
         throw CLI::ValidationError("--size " + text + ": 1 to " + std::to_string(kMaxSide) +
-                                 " pixels a side are possible");
+                                   " pixels a side are possible");
     }
     return size;
 }
@@ -107,7 +107,7 @@ void applySettings(const SceneOptions& options) {
     const bool fast = options.precision == "fast", precise = options.precision == "precise";
     if (!fast && !precise && options.precision != "watertight") {
         throw CLI::ValidationError("--precision " + options.precision +
-                                 ": there are fast, watertight and precise");
+                                   ": there are fast, watertight and precise");
     }
     rtHint(RT_PRECISION_HINT, fast ? RT_FASTEST : precise ? RT_NICEST : RT_DONT_CARE);
     rtThreads(options.threads);

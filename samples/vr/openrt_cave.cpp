@@ -143,8 +143,8 @@ std::string fileName(const char* wall, uint32_t frame) {
     const auto replace = [&](const std::string& what, const std::string& by) {
         const std::size_t at = name.find(what);
         if (at == std::string::npos)
-            throw std::runtime_error("--output wants a name with %s for the wall and %d for the "
-                                     "frame, such as cave-%s-%d.png");
+            throw CLI::ValidationError("--output wants a name with %s for the wall and %d for the "
+                                       "frame, such as cave-%s-%d.png");
         name.replace(at, what.size(), by);
     };
     replace("%s", wall);
@@ -167,7 +167,7 @@ int run() {
     const samples::Lighting lighting = samples::lightingFrom(options);
     const std::optional<samples::View> wantedView = samples::viewFrom(options);
     if (!(options.side > 0 && options.scale > 0 && options.eyeDistance >= 0 && options.rate > 0))
-        throw std::runtime_error("--side, --scale and --rate are above 0, --eyes at least 0");
+        throw CLI::ValidationError("--side, --scale and --rate are above 0, --eyes at least 0");
     if (!options.output.empty()) fileName("front", 0);
     const samples::HeadPath path(options.path);
     rtInit(nullptr, nullptr);
@@ -175,6 +175,7 @@ int run() {
     rtEnable(RT_FRAMEBUFFER_SRGB);
     samples::Bounds bounds;
     const samples::SceneDescription description = samples::loadVisibleScene(options, bounds);
+    samples::printNotes(description);
     const samples::View view =
         wantedView ? *wantedView : samples::defaultView(description, bounds, 1.0f);
     const samples::RtScene scene(description, bounds, view, lighting);

@@ -55,7 +55,7 @@ void render(const samples::RtScene& scene, const samples::CavePlace& place,
 int run() {
     const samples::Lighting lighting = samples::lightingFrom(options);
     const std::optional<samples::View> wantedView = samples::viewFrom(options);
-    if (!(options.scale > 0)) throw std::runtime_error("--scale is above 0");
+    if (!(options.scale > 0)) throw CLI::ValidationError("--scale is above 0");
     samples::Display display;
     samples::PictureWindow window(display, {320, 240}, "openrt-xr"); // its OpenGL is the runtime's
     samples::HeadsetSession session("openrt-xr");
@@ -65,6 +65,7 @@ int run() {
     rtEnable(RT_FRAMEBUFFER_SRGB);
     samples::Bounds bounds;
     const samples::SceneDescription description = samples::loadVisibleScene(options, bounds);
+    samples::printNotes(description);
     const samples::View view =
         wantedView ? *wantedView : samples::defaultView(description, bounds, 1.0f);
     const samples::RtScene scene(description, bounds, view, lighting);

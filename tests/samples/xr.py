@@ -37,7 +37,7 @@ class WithoutRuntime(unittest.TestCase):
 
     def test_wrong_command_line(self):
         self.assertEqual(run("--no-such-option").returncode, 2)
-        self.check_refused(run(SOURCE / "samples/models/courtyard.glb", "--scale", "0"), 1)
+        self.check_refused(run(SOURCE / "samples/models/courtyard.glb", "--scale", "0"), 2)
 
     def test_help(self):
         result = run("--help")
