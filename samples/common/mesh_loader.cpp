@@ -72,6 +72,22 @@ std::vector<uint8_t> fromFirstMaterial(const std::vector<uint8_t>& bytes) {
     return {};
 }
 
+/// An obj file whose numbers of vertices do not begin with their point: assimp counts a line's
+/// numbers by digits and signs.
+std::vector<uint8_t> withLeadingZeros(const std::vector<uint8_t>& bytes) {
+    std::vector<uint8_t> file;
+    file.reserve(bytes.size());
+    bool ofVertex = false;
+    uint8_t before = '\n';
+    for (const uint8_t c : bytes) {
+        if (before == '\n' || before == '\r') ofVertex = c == 'v';
+        if (c == '.' && ofVertex && (before == ' ' || before == '\t')) file.push_back('0');
+        file.push_back(c);
+        before = c;
+    }
+    return file;
+}
+
 /// What assimp may open: the scene file itself, already read, and files of its folder.
 class ConfinedSystem final : public Assimp::IOSystem {
 public:
@@ -250,7 +266,11 @@ void checkFaces(const aiScene& scene) {
 
 SceneDescription loadMesh(const std::filesystem::path& path) {
     std::vector<uint8_t> bytes = readWholeFile(path, kMaxFileBytes);
-    if (endingOf(path) == ".ply") checkPlyHeader(bytes);
+    if (endingOf(path) == ".ply") {
+        checkPlyHeader(bytes);
+    } else {
+        bytes = withLeadingZeros(bytes);
+    }
     Assimp::Importer importer;
     auto* system = new ConfinedSystem(path, std::move(bytes)); // the importer's from here on
     importer.SetIOHandler(system);

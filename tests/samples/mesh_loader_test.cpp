@@ -47,6 +47,18 @@ TEST(MeshLoader, ReadsObjWithMaterialAndTexture) {
     }
 }
 
+TEST(MeshLoader, NumbersMayBeginWithTheirPoint) {
+    const test::TemporaryFolder temporary;
+    const SceneDescription scene = loadMesh(temporary.write(
+        "mesh.obj", std::string("v .5 -.25 .0 .0 .0 .0\nv 1 0 .125 1 1 1\nv 0 1 0 1 1 1\n"
+                                "vt .5\t.25\nusemtl .name\nf 1/1 2/1 3/1\n")));
+    const MeshPart& part = scene.meshes.at(0).parts.at(0);
+    EXPECT_EQ(part.positions.at(0), glm::vec3(0.5f, -0.25f, 0));
+    EXPECT_EQ(part.positions.at(1), glm::vec3(1, 0, 0.125f));
+    EXPECT_EQ(part.texCoords.at(2), glm::vec2(0.5f, 0.75f));
+    EXPECT_EQ(part.colors.at(0), glm::vec4(0, 0, 0, 1));
+}
+
 TEST(MeshLoader, ReadsPly) {
     const test::TemporaryFolder temporary;
     const SceneDescription scene = loadMesh(temporary.write(
