@@ -280,17 +280,20 @@ private:
             throw LoadError("there is no camera " + std::to_string(index));
         }
         const tinygltf::Camera& source = model_.cameras[std::size_t(index)];
-        if (source.type != "perspective") {
-            note("orthographic cameras are left out");
-            return;
-        }
-        const double fov = glm::degrees(source.perspective.yfov);
+        const bool parallel = source.type == "orthographic";
+        const double fov = glm::degrees(source.perspective.yfov), half = source.orthographic.ymag;
         CameraDescription camera;
         camera.eye = glm::vec3(transform[3]);
         camera.direction = -glm::vec3(transform[2]);
         camera.up = glm::vec3(transform[1]);
-        camera.fovDegrees = float(fov);
-        if (!(fov > 0.0 && fov < 180.0) || glm::length(camera.direction) == 0.0f) {
+        if (parallel) {
+            camera.height = float(2.0 * half);
+        } else {
+            camera.fovDegrees = float(fov);
+        }
+        const bool possible = parallel ? half > 0.0 && std::isfinite(camera.height)
+                                       : fov > 0.0 && fov < 180.0;
+        if (!possible || glm::length(camera.direction) == 0.0f) {
             throw LoadError("camera " + std::to_string(index) + " has an impossible view");
         }
         scene_.cameras.push_back(camera);

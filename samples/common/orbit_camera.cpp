@@ -36,14 +36,21 @@ void OrbitCamera::pan(float right, float up) {
     const glm::vec3 arm = view_.eye - view_.target;
     const glm::vec3 forward = -glm::normalize(arm);
     const glm::vec3 side = glm::normalize(glm::cross(forward, view_.up));
-    const float height = 2.0f * std::tan(glm::radians(view_.fovDegrees) * 0.5f) * glm::length(arm);
+    const float height =
+        view_.height > 0.0f
+            ? view_.height
+            : 2.0f * std::tan(glm::radians(view_.fovDegrees) * 0.5f) * glm::length(arm);
     const glm::vec3 step = (side * -right + glm::cross(side, forward) * -up) * height;
     view_.eye += step;
     view_.target += step;
 }
 
 void OrbitCamera::zoom(float factor) {
-    view_.eye = view_.target + (view_.eye - view_.target) / factor;
+    if (view_.height > 0.0f) {
+        view_.height /= factor;
+    } else {
+        view_.eye = view_.target + (view_.eye - view_.target) / factor;
+    }
 }
 
 void OrbitCamera::focus(float distance) {

@@ -105,7 +105,8 @@ RtScene::RtScene(const SceneDescription& scene, const Bounds& bounds, const View
     }
     addLights(scene, bounds, view, lighting);
     addSky();
-    camera_ = newShader("PinholeCameraShader");
+    perspective_ = newShader("PinholeCameraShader");
+    orthographic_ = newShader("Orthographic");
     checkRt();
 }
 
@@ -272,14 +273,22 @@ void RtScene::useCamera(const View& view, float aspect) const {
     if (glm::length(side) < 1e-6f) side = glm::vec3(1.0f, 0.0f, 0.0f);
     side = glm::normalize(side);
     const glm::vec3 above = glm::cross(side, forward);
-    const float height = 2.0f * std::tan(glm::radians(view.fovDegrees) * 0.5f);
+    const bool parallel = view.height > 0.0f;
+    const float height =
+        parallel ? view.height : 2.0f * std::tan(glm::radians(view.fovDegrees) * 0.5f);
     const glm::vec3 horizontal = side * (height * aspect), vertical = above * height;
-    rtBindShader(camera_);
-    set("origin", view.eye);
-    set("lowerLeft", forward - horizontal * 0.5f - vertical * 0.5f);
+    const RTuint camera = parallel ? orthographic_ : perspective_;
+    rtBindShader(camera);
+    if (parallel) {
+        set("direction", forward);
+    } else {
+        set("origin", view.eye);
+    }
+    set("lowerLeft",
+        (parallel ? view.eye : forward) - horizontal * 0.5f - vertical * 0.5f);
     set("horizontal", horizontal);
     set("vertical", vertical);
-    rtUseCamera(camera_);
+    rtUseCamera(camera);
 }
 
 } // namespace samples

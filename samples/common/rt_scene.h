@@ -54,7 +54,7 @@ private:
     std::vector<std::array<RTuint, 2>> textures_; ///< by index: [0] linear, [1] sRGB; 0 = not made
     std::vector<Instance> instances_;
     std::vector<RTuint> lights_;
-    RTuint sky_ = 0, camera_ = 0;
+    RTuint sky_ = 0, perspective_ = 0, orthographic_ = 0;
     float exposure_;
 };
 

@@ -73,6 +73,7 @@ struct InstanceDescription {
 struct CameraDescription {
     glm::vec3 eye{0.0f}, direction{0.0f, 0.0f, -1.0f}, up{0.0f, 1.0f, 0.0f};
     float fovDegrees = 45.0f; ///< vertical
+    float height = 0.0f;      ///< of what an orthographic camera sees; 0: perspective
 };
 
 enum class LightKind : uint8_t { Point, Directional, Spot };

@@ -49,6 +49,7 @@ View defaultView(const SceneDescription& scene, const Bounds& bounds, float aspe
         view.target = camera.eye + forward * std::max(depth, 0.1f * bounds.diagonal() + 1e-3f);
         view.up = camera.up;
         view.fovDegrees = camera.fovDegrees;
+        view.height = camera.height;
         return view;
     }
     if (bounds.empty()) return view;

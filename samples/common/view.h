@@ -24,6 +24,7 @@ Bounds boundsOf(const SceneDescription& scene);
 struct View {
     glm::vec3 eye{0.0f, 0.0f, 3.0f}, target{0.0f}, up{0.0f, 1.0f, 0.0f};
     float fovDegrees = 45.0f; ///< vertical
+    float height = 0.0f;      ///< of what an orthographic view shows; 0: perspective
 };
 
 /// The first camera of the file; without one a three-quarter view that frames the bounds.

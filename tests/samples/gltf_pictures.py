@@ -109,6 +109,18 @@ class GltfPictures(unittest.TestCase):
                         if min(at) > 0 and max(at) < 1 and min(abs(t - 0.5) for t in uv) > 0.01:
                             self.assertEqual(picture.pixel(x, y), texel(*uv), (x, y))
 
+    def test_an_orthographic_camera_shows_the_same_size_at_any_distance(self):
+        for z in (0, -40):
+            scene = Scene()
+            scene.document["cameras"] = [{"type": "orthographic", "orthographic": {
+                "xmag": 2, "ymag": 2, "znear": 0.1, "zfar": 100}}]
+            scene.square(scene.unlit((1, 0, 0, 1)), {"translation": [0, 0.5, z]})
+            picture = self.render(scene)
+            for y in range(16):
+                for x in range(16):
+                    inside = 4 <= x < 12 and 2 <= y < 10  # four pixels a unit
+                    self.assertEqual(picture.pixel(x, y) == (255, 0, 0), inside, (x, y, z))
+
     def test_sparse_positions(self):
         for base in (True, False):  # over a square far away, and over zeros
             scene = Scene()

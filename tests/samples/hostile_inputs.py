@@ -128,6 +128,8 @@ class HostileInputs(unittest.TestCase):
                 (("scenes", 0, "nodes"), [5]), (("scene",), 4),
                 (("cameras", 0, "perspective", "yfov"), 0),
                 (("cameras", 0, "perspective", "yfov"), 4),
+                *((("cameras", 0), {"type": "orthographic", "orthographic": {
+                    "xmag": 1, "ymag": ymag, "znear": 0.1, "zfar": 9}}) for ymag in (0, -1, 1e300)),
                 (("extensionsRequired",), ["KHR_draco_mesh_compression"]),
                 (("asset",), None), (("nodes",), "none"), (("buffers",), {"a": 1}),
                 (("materials", 0, "pbrMetallicRoughness", "baseColorTexture"), {"index": 3})]:

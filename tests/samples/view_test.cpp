@@ -105,5 +105,17 @@ TEST(OrbitCamera, PanningMovesTheTargetWithThePointer) {
     EXPECT_NEAR(glm::distance(camera.view().eye, camera.view().target), 2.0f, 1e-5f);
 }
 
+TEST(OrbitCamera, AnOrthographicViewPansAndZoomsByItsHeight) {
+    View start;
+    start.eye = {0, 0, 4};
+    start.height = 2.0f;
+    OrbitCamera camera(start);
+    camera.pan(0.25f, 0.0f);
+    EXPECT_LT(glm::distance(camera.view().target, glm::vec3(-0.5f, 0, 0)), 1e-5f);
+    camera.zoom(4.0f);
+    EXPECT_EQ(camera.view().height, 0.5f);
+    EXPECT_NEAR(glm::distance(camera.view().eye, camera.view().target), 4.0f, 1e-5f);
+}
+
 } // namespace
 } // namespace samples
