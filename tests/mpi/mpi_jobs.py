@@ -43,8 +43,9 @@ def environment(**changes):
                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OPENRT_MPI_REPORT="1",
                   OMPI_MCA_pml="ob1", OMPI_MCA_btl="self,vader")  # a quicker start
-    # Open MPI keeps memory for ever; what the library keeps other tests look at. One rank preloads it.
-    result["ASAN_OPTIONS"] = result.get("ASAN_OPTIONS", "") + ":detect_leaks=0:verify_asan_link_order=0"
+    # Open MPI keeps memory for ever; what the library keeps other tests look at. A rank preloads it.
+    result["ASAN_OPTIONS"] = (result.get("ASAN_OPTIONS", "") +
+                              ":detect_leaks=0:verify_asan_link_order=0")
     result.update(changes)
     return result
 
