@@ -10,8 +10,6 @@
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
-#include "samples/common/punctual_light.h"
-
 namespace samples {
 namespace {
 
@@ -45,14 +43,13 @@ RTuint newLight(const LightDescription& light) {
         set("position", light.position);
         return shader;
     }
-    rtGenNewShaderClass<PunctualLight>("PunctualLight");
-    const RTuint shader = rtGenNewShader();
+    const RTuint shader = newShader("PunctualLight");
     set("position", light.position);
     set("range", light.range);
     if (light.kind == LightKind::Spot) {
         set("direction", light.direction);
-        set("cosOuter", std::cos(light.outerConeRadians));
-        set("cosInner", std::cos(light.innerConeRadians));
+        set("cutoff", glm::degrees(light.outerConeRadians));
+        set("innerCutoff", glm::degrees(light.innerConeRadians));
     }
     return shader;
 }

@@ -249,6 +249,17 @@ const std::vector<Maker>& makers() {
              set("exponent", 8.0f);
          },
          false},
+        {"PunctualLight",
+         [](Picture& p) {
+             p.light = make("PunctualLight");
+             set("position", Vec3(2, 4, 1.5f));
+             set("radiance", Color(20.0f));
+             set("range", 7.0f);
+             set("direction", Vec3(-2, -3.4f, -1.5f));
+             set("cutoff", 22.0f);
+             set("innerCutoff", 12.0f);
+         },
+         false},
         {"DirectionalLight",
          [](Picture& p) {
              p.light = make("DirectionalLight");

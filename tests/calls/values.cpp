@@ -143,6 +143,7 @@ std::vector<Value> make(Kind kind) {
                              "MirrorShader",
                              "PointLight",
                              "SpotLightShader",
+                             "PunctualLight",
                              "DirectionalLight",
                              "QuadLight",
                              "SphereLight",

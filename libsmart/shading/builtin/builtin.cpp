@@ -41,6 +41,7 @@ Classes makeClasses() {
     add<AmbientOcclusion>(classes, "AmbientOcclusion");
     add<PointLight>(classes, "PointLight");
     add<SpotLightShader>(classes, "SpotLightShader");
+    add<PunctualLight>(classes, "PunctualLight");
     add<DirectionalLight>(classes, "DirectionalLight");
     add<QuadLight>(classes, "QuadLight");
     add<SphereLight>(classes, "SphereLight");

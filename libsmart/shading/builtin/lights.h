@@ -68,6 +68,44 @@ struct SpotLightShader {
     }
 };
 
+/// A point light with an end of its reach and a cone whose rim is smooth, as glTF's
+/// KHR_lights_punctual has them: everything within `innerCutoff` degrees of `direction`, nothing from
+/// `cutoff` on, or no cone where that is 180 or more.
+struct PunctualLight {
+    Vec3 position;
+    Color radiance{1.0f};
+    float range = std::numeric_limits<float>::infinity();
+    Vec3 direction{0, 0, -1};
+    float cutoff = 180;
+    float innerCutoff = 0;
+
+    void registerParams(const ShaderRegistrator& r) const {
+        r.registerParam<Vec3>("position", PER_SHADER, offsetof(PunctualLight, position));
+        r.registerParam<Color>("radiance", PER_SHADER, offsetof(PunctualLight, radiance));
+        r.registerParam<float>("range", PER_SHADER, offsetof(PunctualLight, range));
+        r.registerParam<Vec3>("direction", PER_SHADER, offsetof(PunctualLight, direction));
+        r.registerParam<float>("cutoff", PER_SHADER, offsetof(PunctualLight, cutoff));
+        r.registerParam<float>("innerCutoff", PER_SHADER, offsetof(PunctualLight, innerCutoff));
+    }
+    bool illuminate(const Vec3& at, Vec3& toLight, float& distance, Color& arriving) const {
+        if (!samplePoint(position, radiance, at, toLight, distance, arriving)) return false;
+        const float far = distance / range;
+        float share = 1.0f - far * far * far * far;
+        if (cutoff < 180) {
+            constexpr float kNarrowest = 0.001f; // of the rim, as the extension has it
+            const float outer = cosine(cutoff), rim = cosine(innerCutoff) - outer;
+            const float within = -dot(toLight, normalize(direction)) - outer;
+            const float part = within / (rim > kNarrowest ? rim : kNarrowest);
+            share *= part < 0 ? 0 : part < 1 ? part * part : 1;
+        }
+        arriving *= share;
+        return share > 0;
+    }
+
+private:
+    static float cosine(float degrees) { return math::cos(float(degrees * (math::kPi / 180))); }
+};
+
 /// The same radiance everywhere, travelling along `direction`.
 struct DirectionalLight {
     Vec3 direction{0, 0, -1};

@@ -2,6 +2,7 @@
 // Lights without extent and environments against their formulas.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,7 +26,7 @@ int illuminate(const ShaderObject& light, const Vec3& at, RTSlightsample& sample
 }
 
 TEST(LightsTest, PointAndSpotLightsFallOffWithTheSquare) {
-    for (const char* name : {"PointLight", "SpotLightShader"}) {
+    for (const char* name : {"PointLight", "SpotLightShader", "PunctualLight"}) {
         const auto light = MadeShader(name)
                                .set("position", Vec3(1, 2, 3))
                                .set("radiance", Color(25, 50, 100))
@@ -41,7 +42,7 @@ TEST(LightsTest, PointAndSpotLightsFallOffWithTheSquare) {
 }
 
 TEST(LightsTest, ALightAtThePointGivesNothing) {
-    for (const char* name : {"PointLight", "SpotLightShader"}) {
+    for (const char* name : {"PointLight", "SpotLightShader", "PunctualLight"}) {
         const auto light = MadeShader(name).set("position", Vec3(1, 2, 3)).make();
         RTSlightsample s;
         EXPECT_EQ(illuminate(*light, Vec3(1, 2, 3), s), 0);
@@ -75,6 +76,34 @@ TEST(LightsTest, TheConeOfASpotLight) {
         EXPECT_EQ(illuminate(*light, at(angle), s), 0) << angle;
     const auto open = MadeShader("SpotLightShader").make();
     EXPECT_EQ(illuminate(*open, at(170), s), 1);
+}
+
+/// The formulas of KHR_lights_punctual.
+TEST(LightsTest, TheRangeAndTheRimOfAPunctualLight) {
+    const double range = 5, outer = 40, inner = 25;
+    const auto light = MadeShader("PunctualLight")
+                           .set("direction", Vec3(0, 0, -7))
+                           .set("range", float(range))
+                           .set("cutoff", float(outer))
+                           .set("innerCutoff", float(inner))
+                           .make();
+    const auto cosine = [](double degrees) { return std::cos(degrees * kPi / 180); };
+    for (const double distance : {0.5, 2.0, 4.9, 5.1}) {
+        for (const double angle : {0.0, 24.0, 26.0, 33.0, 39.9, 40.1, 120.0}) {
+            const double rim = std::clamp(
+                (cosine(angle) - cosine(outer)) / (cosine(inner) - cosine(outer)), 0.0, 1.0);
+            const double expected = std::max(1 - std::pow(distance / range, 4), 0.0) * rim * rim /
+                                    (distance * distance);
+            const Vec3 at(float(distance * std::sin(angle * kPi / 180)), 0,
+                          float(-distance * cosine(angle)));
+            RTSlightsample s;
+            ASSERT_EQ(illuminate(*light, at, s), expected > 0) << distance << ' ' << angle;
+            if (expected > 0) {
+                EXPECT_NEAR(s.radiance[0], expected, 2e-6 * (1 + 1 / (distance * distance)))
+                    << distance << ' ' << angle;
+            }
+        }
+    }
 }
 
 TEST(LightsTest, DirectionalLightsAreTheSameEverywhere) {
