@@ -387,7 +387,7 @@ def plot_limits(runs, file):
                                scene_name(run)))
     if not points:
         return
-    plot = Svg("Cycles a ray (public query) over steps of a ray alone in the kd-tree")
+    plot = Svg("Cycles a ray (public query) over what a ray alone looks at")
     x0, x1 = (math.log2(f(p[0] for p in points)) + d for f, d in ((min, -0.3), (max, 0.7)))
     y0, y1 = (math.log2(f(p[1] for p in points)) + d for f, d in ((min, -0.5), (max, 0.5)))
     right = plot.width - plot.right - plot.left
@@ -403,8 +403,8 @@ def plot_limits(runs, file):
     for power in range(math.ceil(x0), math.floor(x1) + 1):
         plot.text(place(2 ** power, 2 ** y0)[0], plot.height - plot.bottom + 18, f"{2 ** power}",
                   "middle")
-    for cycles, name in ((8, "8 cycles a step: one ray at a time"),
-                         (1, "1 cycle a step")):
+    for cycles, name in ((8, "8 cycles a node or triangle"),
+                         (1, "1 cycle a node or triangle")):
         low, high = (max(2 ** x0, 2 ** y0 / cycles), min(2 ** x1, 2 ** y1 / cycles))
         if low < high:
             plot.line(*place(low, low * cycles), *place(high, high * cycles), "#888888", 1, "5 4")
@@ -461,7 +461,8 @@ def main():
     if options.text:
         text = options.text.read_text()
         for name, body in tables.items():
-            if body.count("\n") < 2:  # no rows: these files do not tell, and the text keeps its own
+            told = body.count("\n") >= 2 if body.startswith("|") else len(body) > 1
+            if not told:  # these files do not tell, and the text keeps its own
                 continue
             text = re.sub(rf"(<!-- table {name} -->\n).*?(<!-- end -->)",
                           lambda match, body=body: match[1] + body + "\n" + match[2], text,
