@@ -55,15 +55,19 @@ template <class Vector>
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx512f"))) double multiplyAdd() {
+__attribute__((target("avx512f"))) double runAvx512() {
     return runChains<Vector16>();
 }
-__attribute__((target("avx2"))) double multiplyAdd() {
+__attribute__((target("avx2"))) double runAvx2() {
     return runChains<Vector8>();
 }
-__attribute__((target("default")))
 #endif
+
 double multiplyAdd() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f")) return runAvx512();
+    if (__builtin_cpu_supports("avx2")) return runAvx2();
+#endif
     return runChains<Vector4>();
 }
 
