@@ -161,7 +161,9 @@ def suites():
     ways = 0
     leave = (ROOT / "tests/process/CMakeLists.txt").read_text(encoding="utf-8")
     ways = len(leave.split("foreach(way")[1].split(")")[0].split())
+    note = (read("about.json") or {}).get("suites")
     return ["## The test suite", "", *table(["sanitizer", "tests", "failed", "skipped"], rows),
+            *([note, ""] if note else []),
             f"Among the tests are {ways} ways to leave a process (`tests/process`): with and without "
             "`rtExit`, from `atexit`, in a callback, by a signal, after a fork; and the library opened "
             "and closed twenty times, and twice in one process.", ""]
