@@ -338,6 +338,12 @@ static void oneSide(void) {
     twoSides();
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_FALSE);
 }
+/* A light that the normal points to, and a viewer that it points away from: no highlight. */
+static void seenFromBehind(void) {
+    static const GLfloat position[4] = {0.9f, 0.0f, -0.45f, 0.0f};
+    glLightfv(GL_LIGHT0, GL_POSITION, position);
+    glNormal3f(0.36f, 0.48f, -0.8f);
+}
 static void longNormal(void) {
     glNormal3f(0.72f, 0.96f, 1.6f);
 }
@@ -413,6 +419,7 @@ static void lighting(void) {
     tellLit("emission", emission);
     tellLit("two_sides", twoSides);
     tellLit("one_side", oneSide);
+    tellLit("seen_from_behind", seenFromBehind);
     tellLit("long_normal", longNormal);
     tellLit("normalized", normalized);
     tellLit("scaled", scaled);
@@ -473,7 +480,7 @@ static int isNearDash(int column, int row) {
     const double along = alongLine(column, row);
     const double inDash = along - 8.0 * (int)(along / 8.0);
     return isNearLine(column, row) || (besideLine(column, row) < 5.0 && along > -2.0 &&
-                                       along < 26.6 && (inDash < 1.5 || inDash > 6.5));
+                                       along < 26.6 && (inDash < 0.9 || inDash > 7.1));
 }
 
 static void line(void) {
