@@ -38,10 +38,14 @@ public:
         }
         __builtin_memcpy(packet.near, query.tNear, sizeof packet.near);
         __builtin_memcpy(packet.far, query.best, sizeof packet.far);
-        if constexpr (M == HitMode::Any)
+        if constexpr (M == HitMode::Any) {
             blocked_[name] = 0;
-        else
-            Word<N>(kNoHit).store(hits_[name].triangle);
+        } else {
+            HitPacket& hits = hits_[name];
+            Word<N>(kNoHit).store(hits.triangle);
+            Word<N>(1u).store(hits.levels);
+            Word<N>(0u).store(hits.path[0]);
+        }
         return true;
     }
     template <int K>
@@ -51,14 +55,10 @@ public:
         query.currentPath[0] = 0;
     }
     void done(uint32_t name, const Search<N, M, NoCounts>& query) {
-        if constexpr (M == HitMode::Any) {
+        if constexpr (M == HitMode::Any)
             blocked_[name] = query.blocked;
-        } else {
-            HitPacket& hits = hits_[name];
-            __builtin_memcpy(hits.triangle, query.triangle, sizeof hits.triangle);
-            Word<N>(1u).store(hits.levels);
-            Word<N>(0u).store(hits.path[0]);
-        }
+        else
+            __builtin_memcpy(hits_[name].triangle, query.triangle, sizeof query.triangle);
     }
     void done(uint32_t name, int lane, const Search<1, M, NoCounts>& query) {
         if constexpr (M == HitMode::Any)

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Rays that have nothing in common, many at a time. A packet of rays that start close to each other
-// goes down the wide tree as one (PacketOcclusion, PacketSearch). Rays of others go alone, once few
-// of a packet are left together, each with a stack of its own, but they take turns, a node or a
-// leaf each, so that one ray's wait for memory and for its own results is filled by the others.
-// Which kind of turn comes next can not be predicted, hence rays wait in lists of those before a
-// node and those before a leaf, and joining a list takes no branch.
+// goes down the wide tree as one (PacketOcclusion, PacketSearch). Rays of others go alone, each with
+// a stack of its own, but they take turns, a node or a leaf each, so that one ray's wait for memory
+// and for its own results is filled by the others. Which kind of turn comes next can not be
+// predicted, hence rays wait in lists of those before a node and those before a leaf, and joining a
+// list takes no branch.
 //
 // Fuetterling, Lojewski, Pfreundt, Hamann, Ebert, "Accelerated single ray tracing for wide vector
 // units", HPG 2017, for compressing the boxes that were met onto the stack.
 #pragma once
 
-#include "libsmart/kernel/packet_descent.h"
+#include "libsmart/kernel/compress_store.h"
 #include "libsmart/kernel/packet_occlusion.h"
 #include "libsmart/kernel/packet_search.h"
 #include "libsmart/kernel/scene_traversal.h"
@@ -19,8 +19,8 @@ namespace smart::SMART_ISA {
 
 /// Source: bool next(PacketRays&, uint32_t& name), which gives a packet and its name, or none
 /// any more; void open(Search<N>&), which fills in what a query knows besides its limits; void
-/// done(name, const Search<16>&) of the packet, then done(name, lane, const Search<1>&) of those of
-/// its rays that went on alone.
+/// done(name, const Search<16>&) of a packet that was traced as one, or done(name, lane, const
+/// Search<1>&) of each of its rays.
 template <template <int> class Precision, HitMode M, class Source>
 class RaysInFlight {
 public:
@@ -47,11 +47,9 @@ public:
 private:
     static constexpr uint32_t kRays = 32;
     static constexpr uint32_t kNothing = 0xFFFFFFFFu; ///< at the bottom of each stack
-    /// What a packet leaves to a ray, what a ray alone pushes, and a whole group written behind it.
-    static constexpr int kStack =
-        1 + kDescentNodes * kWideChildren + kWideMaxDepth * kWideChildren + kPacketSize;
+    /// What a ray pushes, and a whole group written behind it.
+    static constexpr int kStack = 1 + kWideMaxDepth * kWideChildren + kPacketSize;
     using Traversal = SceneTraversal<Precision, 1, M, NoCounts>;
-    using Descent = PacketDescent<Precision, M>;
 
     struct Flight {
         LocalRays<1> ray;
@@ -74,7 +72,7 @@ private:
         }
     };
 
-    /// Traces the rays of a packet together, and gives what is left to idle flights.
+    /// Traces a packet whose rays start together, or gives its rays to idle flights.
     [[gnu::noinline]] bool launch() {
         PacketRays packet;
         uint32_t name;
@@ -84,46 +82,25 @@ private:
             trace(packet, name);
             return true;
         }
-        Descent descent(model_, packet, Traversal::kPadding);
-        typename Descent::Query found;
-        open(packet, found);
-        descent.run(found);
-        source_.done(name, found);
-        Flight* flights[N];
-        for (int lane = 0; lane < N; ++lane) {
-            flights[lane] = &flights_[idle_[idleCount_ - 1 - uint32_t(lane)]];
-            flights[lane]->top = 0;
-        }
-        uint32_t rest = 0;
-        descent.eachLeft([&](int lane, uint32_t child, float from) HWY_ATTR {
-            Flight& flight = *flights[lane];
-            flight.from[flight.top + 1] = from;
-            flight.child[flight.top + 1] = child;
-            const bool awaits = from <= descent.far[lane];
-            flight.top += awaits;
-            rest |= uint32_t(awaits) << lane;
-        });
-        if (!rest) return true;
-        descent.best.store(found.best);
-        alignas(64) float slopes[3][N];
-        for (int k = 0; k < 3; ++k) descent.shear.slope(k).store(slopes[k]);
-        idleCount_ -= N;
-        for (int lane = 0; lane < N; ++lane) {
-            Flight& flight = *flights[lane];
-            if (!(rest >> lane & 1)) {
-                idle_[idleCount_++] = uint32_t(&flight - flights_);
-                continue;
-            }
+        const MixedRays rays(model_.wide, packet.rays, Traversal::kPadding);
+        const MixedShear shear(packet.rays);
+        alignas(64) float slopes[3][N], far[N];
+        for (int k = 0; k < 3; ++k) shear.slope(k).store(slopes[k]);
+        (Real<N>::load(packet.far) + Real<N>::load(rays.slack)).store(far);
+        for (uint32_t lanes = packet.lanes; lanes; lanes &= lanes - 1) {
+            const int lane = lowestBit(lanes);
+            Flight& flight = flights_[idle_[--idleCount_]];
             takeLane(packet.rays, lane, flight.ray);
             flight.group.lanes = 1;
-            flight.group.dominantAxis = descent.shear.dominantAxis(lane);
-            descent.rays.take(lane, flight.group, flight.tree);
+            flight.group.dominantAxis = shear.dominantAxis(lane);
+            rays.take(lane, flight.group, flight.tree);
             new (flight.precision) Precision<1>(
                 model_, flight.ray, flight.group,
                 Shear<1>(flight.ray, flight.group,
                          {slopes[0][lane], slopes[1][lane], slopes[2][lane]}));
-            flight.slack = Real<1>(descent.rays.slack[lane]);
-            flight.best = Real<1>(found.best[lane]);
+            flight.slack = Real<1>(rays.slack[lane]);
+            flight.best = Real<1>(packet.far[lane]);
+            flight.far = far[lane];
             flight.packet = name;
             flight.lane = lane;
             Query& query = flight.query;
@@ -131,15 +108,16 @@ private:
             query.blocked = 0;
             query.deepest = 0;
             query.tNear[0] = packet.near[lane];
-            query.best[0] = found.best[lane];
-            query.triangle[0] = found.triangle[lane];
+            query.best[0] = packet.far[lane];
+            query.triangle[0] = kNoHit;
             query.levels[0] = query.currentLevels;
             for (uint32_t l = 0; l < query.currentLevels; ++l)
                 query.path[l][0] = query.currentPath[l];
-            flight.far = descent.far[lane];
             flight.child[0] = kNothing;
             flight.from[0] = -__builtin_inff();
-            if (M == HitMode::Closest) raiseNearest(flight);
+            flight.child[1] = 0;
+            flight.from[1] = packet.near[lane];
+            flight.top = 1;
             join(uint32_t(&flight - flights_));
         }
         return true;
@@ -171,18 +149,6 @@ private:
             flight.query.best[0] = flight.best.v;
             source_.done(flight.packet, flight.lane, flight.query);
         }
-    }
-
-    static void raiseNearest(Flight& flight) {
-        int nearest = flight.top;
-        for (int i = 1; i < flight.top; ++i)
-            nearest = flight.from[i] < flight.from[nearest] ? i : nearest;
-        const float from = flight.from[nearest];
-        const uint32_t child = flight.child[nearest];
-        flight.from[nearest] = flight.from[flight.top];
-        flight.child[nearest] = flight.child[flight.top];
-        flight.from[flight.top] = from;
-        flight.child[flight.top] = child;
     }
 
     template <class Turn>

@@ -194,26 +194,6 @@ inline Real<N> magnitude(const Real<N>& a) {
     return r;
 }
 
-/// Stores the lanes of the mask side by side and returns how many they are; the rest of a whole
-/// group's memory behind `to` gets any value.
-inline int compressStore(const Mask<kPacketSize>& m, const Real<kPacketSize>& a, float* to) {
-    std::size_t count = 0;
-    for (int i = 0; i < kRegisters<kPacketSize>; ++i) {
-        hn::StoreU(hn::Compress(a.v[i], m.m[i]), Tag(), to + count);
-        count += hn::CountTrue(Tag(), m.m[i]);
-    }
-    return int(count);
-}
-inline int compressStore(const Mask<kPacketSize>& m, const Word<kPacketSize>& a, uint32_t* to) {
-    std::size_t count = 0;
-    for (int i = 0; i < kRegisters<kPacketSize>; ++i) {
-        const auto lanes = hn::RebindMask(WordTag(), m.m[i]);
-        hn::StoreU(hn::Compress(a.v[i], lanes), WordTag(), to + count);
-        count += hn::CountTrue(WordTag(), lanes);
-    }
-    return int(count);
-}
-
 inline float smallestLane(const Real<kPacketSize>& a) {
     hn::Vec<Tag> m = a.v[0];
     for (int i = 1; i < kRegisters<kPacketSize>; ++i) m = hn::Min(m, a.v[i]);
