@@ -6,7 +6,7 @@ import re
 import subprocess
 
 import openrt
-from openrt.binding import TOKENS, _library, ffi
+from openrt.binding import _WITHOUT_CONTEXT, TOKENS, _library, ffi
 
 INCLUDE = pathlib.Path(os.environ["OPENRT_INCLUDE"])
 
@@ -35,6 +35,15 @@ def test_tokens_are_those_of_the_compiler(tmp_path):
                 subprocess.run([str(program)], check=True, capture_output=True,
                                text=True).stdout.splitlines())
     assert {name: int(value) for name, value in seen.items()} == TOKENS
+
+
+def test_calls_without_a_context_are_those_that_say_so():
+    said = {"rtGetError", "rtGetErrorText", "rtOccluded", "rtOccludedStream"}  # in other words
+    for header in (INCLUDE / "openrt").glob("rt_*.h"):
+        for functions in re.findall(r"Threads: any(?:(?!\*/).)*\*/\n((?:RTAPI[^;]+;\n)+)",
+                                    header.read_text(), flags=re.S):
+            said |= set(re.findall(r"\bRTAPIENTRY\s+(rt\w+)\(", functions))
+    assert said == _WITHOUT_CONTEXT
 
 
 def test_structures_have_the_compilers_layout():

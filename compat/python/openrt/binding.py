@@ -13,6 +13,7 @@ live as long as the C function says that its memory must.
 import ctypes.util
 import os
 import pathlib
+import threading
 
 import cffi
 import numpy
@@ -27,9 +28,12 @@ class Error(RuntimeError):
     """What a call recorded. `code` is the token, such as raw.RT_INVALID_VALUE."""
 
     def __init__(self, code, function, text):
-        super().__init__(f"{function}: {text}")
+        super().__init__(code, function, text)
         self.code = code
         self.function = function
+
+    def __str__(self):
+        return f"{self.function}: {self.args[2]}"
 
 
 def _open():
@@ -49,21 +53,38 @@ def _open():
 
 
 _library = _open()
-_pending = []  # what the calls since the last look recorded
+
+
+class _Pending(threading.local):
+    """What the calls of this thread since the last look recorded."""
+
+    def __init__(self):
+        self.errors = []
+
+
+_pending = _Pending()
 
 
 @ffi.callback("void(RTenum, const char *, const char *, void *)")
 def _on_error(code, function, text, _user):
-    _pending.append(Error(code, ffi.string(function).decode(), ffi.string(text).decode()))
+    _pending.errors.append(Error(code, ffi.string(function).decode(), ffi.string(text).decode()))
 
 
 def _raise_pending():
-    if not _pending:
+    if not _pending.errors:
         return
-    first = _pending[0]
-    _pending.clear()
+    first = _pending.errors[0]
+    _pending.errors.clear()
     _library.rtGetError()
     raise first
+
+
+#: Calls that mean something on a thread without a context; others do nothing there.
+_WITHOUT_CONTEXT = {
+    "rtInit", "rtExit", "rtCreateContext", "rtMakeCurrent", "rtDestroyContext",
+    "rtGetCurrentContext", "rtGetError", "rtGetErrorText", "rtWaitFrame", "rtFrameStatus",
+    "rtFrameProgress", "rtCancelFrame", "rtReleaseScene", "rtIntersect", "rtIntersectStream",
+    "rtOccluded", "rtOccludedStream"}
 
 
 def listen():
@@ -100,23 +121,21 @@ def _wrapped(name):
     function = getattr(_library, name)
     kind = ffi.typeof(function)
     pointers = [i for i, argument in enumerate(kind.args) if argument.kind == "pointer"]
+    needs_context = name not in _WITHOUT_CONTEXT and not name.startswith("rtu")
+    current = _library.rtGetCurrentContext
 
-    if pointers:
-        def call(*arguments):
+    def call(*arguments):
+        if needs_context and not current():
+            raise Error(TOKENS["RT_INVALID_OPERATION"], name,
+                        "no context is current on this thread; init() makes one")
+        if pointers:
             arguments = list(arguments)
             for i in pointers:
                 if i < len(arguments):
                     arguments[i] = _pointer(kind.args[i], arguments[i], name)
-            result = function(*arguments)
-            if _pending:
-                _raise_pending()
-            return result
-    else:
-        def call(*arguments):
-            result = function(*arguments)
-            if _pending:
-                _raise_pending()
-            return result
+        result = function(*arguments)
+        _raise_pending()
+        return result
 
     call.__name__ = call.__qualname__ = name
     call.__doc__ = ffi.getctype(kind, name)

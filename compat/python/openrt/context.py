@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Start, end and facts of the library."""
+from . import frames
 from .binding import _library, ffi, listen, raw
 
 
 def init(threads=0, isa=None):
     """Starts with a fresh context, current on this thread. A second call ends the first one's.
 
-    threads: how many render, 0 = all cores. isa: "generic", "sse4", "avx2", "avx512", "neon" or
-    None for the best that this machine has.
+    threads: how many render, 0 = all cores. isa: "generic", "sse4", "avx2", "avx512" or "neon",
+    for the whole process; None: as before, at first the best that this machine has.
     """
     arguments = [b"python"]
     if isa is not None:
@@ -16,12 +17,15 @@ def init(threads=0, isa=None):
     argv = ffi.new("char *[]", kept + [ffi.NULL])
     _library.rtInit(ffi.new("int *", len(kept)), argv)
     listen()
+    if isa is not None and instruction_set() != isa:
+        raise ValueError(f"isa is among {_text(raw.RT_ISA_NAMES).split()} here, not {isa!r}")
     raw.rtThreads(threads)
 
 
 def exit():
     """Waits for frames in flight and frees everything."""
     _library.rtExit()
+    frames.let_go()
 
 
 def version():

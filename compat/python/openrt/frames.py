@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Pictures as numpy arrays, without a copy."""
+import atexit
+
 import numpy
 
-from .binding import raw
+from .binding import _library, raw
 
 _FORMATS = {  # name: (token, element, components)
     "rgb8": ("RT_RGB_8", numpy.uint8, 3),
@@ -25,7 +27,8 @@ class FrameBuffer:
 
     color: the picture, (height, width, components), row 0 at the bottom as in OpenGL; picture()
     has the top row first. With `values`, also attributes depth, distance, normal, object_id,
-    instance_id, primitive_id: what they hold where nothing is hit, rtSetAuxBuffer says.
+    instance_id, primitive_id: what they hold where nothing is hit, rtSetAuxBuffer says. Write into
+    the arrays as you like; they are never exchanged, for the library has their addresses.
     """
 
     def __init__(self, width, height, format="rgb8", values=()):
@@ -42,6 +45,11 @@ class FrameBuffer:
             _, _, element, components = _VALUES[name]
             shape = (height, width) if components == 1 else (height, width, components)
             setattr(self, name, numpy.zeros(shape, element))
+
+    def __setattr__(self, name, value):
+        if name in vars(self):
+            raise AttributeError(f"{name} of a FrameBuffer stays what it was made as")
+        super().__setattr__(name, value)
 
     def bind(self):
         """Frames started from now on are written here."""
@@ -62,6 +70,22 @@ _bound = []     # keeps the memory that the library was told of
 _in_flight = {}  # frame: its buffer
 
 
+def let_go():
+    """Forgets the buffers; for when the library writes to none any more."""
+    _bound.clear()
+    _in_flight.clear()
+
+
+@atexit.register
+def _end():
+    """No frame may write to arrays that the interpreter frees."""
+    for number in _in_flight:
+        _library.rtCancelFrame(number)
+    for number in _in_flight:
+        _library.rtWaitFrame(number)
+    _library.rtDestroyContext(_library.rtGetCurrentContext())
+
+
 def render(buffer):
     """Renders what was given since the last frame into the buffer, and returns it."""
     buffer.bind()
@@ -74,6 +98,9 @@ class QueuedFrame:
 
     def __init__(self, number, buffer):
         self.number, self.buffer = number, buffer
+
+    def __reduce__(self):
+        raise TypeError("a QueuedFrame belongs to its process and can not be copied")
 
     def wait(self):
         """Until it has ended. True: the picture is complete."""

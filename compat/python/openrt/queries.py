@@ -4,12 +4,12 @@ import dataclasses
 
 import numpy
 
-from .binding import ffi, raw
+from .binding import Error, ffi, raw
 
 MISS = 0xFFFFFFFF  #: id of a ray that hits nothing
 
 
-@dataclasses.dataclass
+@dataclasses.dataclass(eq=False)
 class Hits:
     """An element for each ray. t: in units of the direction's length; a miss has t = tfar, and
     MISS as primitive, object and instance. u, v: weights of the second and third vertex. normal:
@@ -29,7 +29,7 @@ class Hits:
 
 class CompiledScene:
     """What the next frame consists of so far, ready for rays; the frame goes on. Any thread may
-    ask, several at once."""
+    ask, several at once. It is held until close(), which a `with` calls."""
 
     def __init__(self):
         self._handle = raw.rtCompileScene()
@@ -54,6 +54,7 @@ class CompiledScene:
         normals = numpy.empty((3, count), numpy.float32)
         hits = Hits(*(numpy.empty(count, numpy.float32) for _ in range(3)),
                     *(numpy.empty(count, numpy.uint32) for _ in range(3)), normals.T)
+        hits.primitive[:1], hits.instance[:1] = MISS, 0  # what no ray is answered
         out = ffi.new("RThitstream *")
         for name in ("t", "u", "v"):
             setattr(out, name, ffi.cast("float *", ffi.from_buffer(getattr(hits, name))))
@@ -63,15 +64,23 @@ class CompiledScene:
             setattr(out, name, ffi.cast("float *", ffi.from_buffer(values)))
         raw.rtIntersectStream(self._open(), rays, out, count, _coherence(coherent))
         del kept
+        if count and hits.primitive[0] == MISS and hits.instance[0] == 0:
+            raise _unanswered("rtIntersectStream")
         return hits
 
     def occluded(self, origins, directions, tnear=0.0, tfar=numpy.inf, coherent=False):
         """Whether anything lies in a ray's range: n truth values."""
         rays, kept, count = self._stream(origins, directions, tnear, tfar)
         blocked = numpy.empty(count, numpy.uint8)
+        blocked[:1] = 2  # what no ray is answered
         raw.rtOccludedStream(self._open(), rays, blocked, count, _coherence(coherent))
         del kept
+        if count and blocked[0] == 2:
+            raise _unanswered("rtOccludedStream")
         return blocked.astype(bool)
+
+    def __reduce__(self):
+        raise TypeError("a CompiledScene belongs to its process and can not be copied")
 
     def _open(self):
         if self._handle is None:
@@ -97,6 +106,12 @@ class CompiledScene:
             setattr(rays, name, ffi.cast("const float *", ffi.from_buffer(column)))
         rays.flags = raw.RT_COMMON_ORIGIN if common else 0
         return rays, kept, count
+
+
+def _unanswered(function):
+    """Without a context on the thread nothing records why."""
+    return Error(raw.RT_INVALID_OPERATION, function,
+                 "no answer on a thread without a context; was the scene freed by exit()?")
 
 
 def _coherence(coherent):

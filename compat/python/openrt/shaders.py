@@ -19,6 +19,9 @@ class Shader:
         self.id = raw.rtGenNewShader()
         self.set(**parameters)
 
+    def __reduce__(self):
+        raise TypeError("a Shader belongs to its context and can not be copied")
+
     def bind(self):
         """Geometry from here on uses it."""
         raw.rtBindShader(self.id)

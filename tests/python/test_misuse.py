@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""What a program does wrong, or at an odd time, is an exception and never a crash."""
+import copy
+import pickle
+import subprocess
+import sys
+import threading
+
+import numpy
+import openrt
+import pytest
+from openrt.binding import _library
+
+TRIANGLE = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]
+
+
+def on_another_thread(work):
+    """What the work gives on a thread of its own, which has no context."""
+    results = []
+    thread = threading.Thread(target=lambda: results.append(work()))
+    thread.start()
+    thread.join()
+    return results[0]
+
+
+@pytest.mark.parametrize("call", [
+    lambda: openrt.mesh(TRIANGLE), lambda: openrt.instance(1), openrt.CompiledScene, openrt.version,
+    lambda: openrt.Shader("Phong"), lambda: openrt.render(openrt.FrameBuffer(4, 4)),
+    lambda: openrt.queue(openrt.FrameBuffer(4, 4)), openrt.statistics])
+def test_without_a_context_calls_are_errors(call):
+    openrt.exit()
+    with pytest.raises(openrt.Error, match="no context is current"):
+        call()
+
+
+def test_rays_without_an_answer_are_errors():
+    openrt.instance(openrt.mesh(TRIANGLE))
+    scene = openrt.CompiledScene()
+    ray = ((0, 0, 1), [[0, 0, -1]])
+    assert on_another_thread(lambda: scene.intersect(*ray).t) == [1]
+    assert on_another_thread(lambda: scene.occluded(*ray)) == [True]
+    openrt.exit()
+    for ask in (scene.intersect, scene.occluded):
+        with pytest.raises(openrt.Error, match="exit"):
+            ask(*ray)
+        ask((0, 0, 1), numpy.empty((0, 3)))
+
+
+def test_errors_are_those_of_the_thread():
+    def fail_unseen():
+        context = openrt.raw.rtCreateContext()
+        openrt.raw.rtMakeCurrent(context)
+        openrt.listen()
+        _library.rtInstantiateObject(12345)
+        return context
+
+    context = on_another_thread(fail_unseen)
+    openrt.raw.rtTranslatef(0, 0, 0)
+    openrt.raw.rtDestroyContext(context)
+
+
+def test_memory_of_frames_is_never_exchanged():
+    frame = openrt.FrameBuffer(8, 8, values=["depth"])
+    for name, value in (("width", 4000), ("height", 4000), ("color", numpy.zeros(1)),
+                        ("depth", numpy.zeros(1)), ("values", ("normal",))):
+        with pytest.raises(AttributeError, match=name):
+            setattr(frame, name, value)
+    again = pickle.loads(pickle.dumps(frame))
+    assert (again.width, again.color.shape) == (8, (8, 8, 3))
+
+
+def test_frames_of_before_exit_are_forgotten():
+    openrt.queue(openrt.FrameBuffer(64, 64))
+    openrt.exit()
+    openrt.init()
+    assert openrt.queue(openrt.FrameBuffer(64, 64)).wait()
+
+
+def test_programs_end_with_frames_in_flight():
+    program = ("import numpy, openrt\n"
+               "openrt.init()\n"
+               "openrt.camera((0, 0, 4), (0, 0, 0))\n"
+               "openrt.instance(openrt.mesh(numpy.random.default_rng(1).random((3000, 3))))\n"
+               "openrt.raw.rtSamples(16)\n"
+               "openrt.{}\n")
+    for last in ("queue(openrt.FrameBuffer(500, 500))",
+                 "FrameBuffer(500, 500).bind(); openrt.raw.rtStartRendering()"):
+        ended = subprocess.run([sys.executable, "-c", program.format(last)], check=False)
+        assert ended.returncode == 0, last
+
+
+def test_what_belongs_to_the_process_is_not_copied():
+    things = [openrt.CompiledScene(), openrt.Shader("Phong"), openrt.queue(openrt.FrameBuffer(4, 4))]
+    for thing in things:
+        for copied in (pickle.dumps, copy.copy):
+            with pytest.raises(TypeError, match="can not be copied"):
+                copied(thing)
+
+
+def test_errors_come_back_from_other_processes():
+    with pytest.raises(openrt.Error) as info:
+        openrt.instance(12345)
+    again = pickle.loads(pickle.dumps(info.value))
+    assert (str(again), again.code) == (str(info.value), info.value.code)
+
+
+def test_an_instruction_set_that_is_none_is_an_error():
+    with pytest.raises(ValueError, match="generic"):
+        openrt.init(isa="avx17")
+
+
+def test_hits_can_be_compared():
+    with openrt.CompiledScene() as scene:
+        rays = ((0, 0, 0), [[0, 0, 1]] * 2)
+        assert scene.intersect(*rays) != scene.intersect(*rays)
