@@ -74,6 +74,28 @@ def test_frames_in_flight_keep_their_buffers():
     assert all((frame.buffer.color == 255).all() for frame in frames)
 
 
+def test_arrays_of_the_program_do_not_reach_a_mesh():
+    raw = openrt.raw
+    arrays = (raw.RT_SECONDARY_COLOR_ARRAY, raw.RT_FOG_COORD_ARRAY, raw.RT_TEXTURE_COORD_ARRAY)
+    raw.rtClientActiveTexture(raw.RT_TEXTURE1)
+    for token in arrays:
+        raw.rtEnableClientState(token)
+    names = numpy.zeros(2, numpy.uint32)
+    raw.rtGenBuffers(2, names)
+    bindings = ((raw.RT_ARRAY_BUFFER, raw.RT_ARRAY_BUFFER_BINDING),
+                (raw.RT_ELEMENT_ARRAY_BUFFER, raw.RT_ELEMENT_ARRAY_BUFFER_BINDING))
+    for (target, _), name in zip(bindings, names):
+        raw.rtBindBuffer(target, int(name))
+    openrt.mesh(TRIANGLE, colors=numpy.eye(3))
+    value = numpy.zeros(1, numpy.int32)
+    for (_, binding), name in zip(bindings, names):
+        raw.rtGetIntegerv(binding, value)
+        assert value == name
+    raw.rtGetIntegerv(raw.RT_CLIENT_ACTIVE_TEXTURE, value)
+    assert value == raw.RT_TEXTURE1
+    assert all(raw.rtIsEnabled(token) for token in arrays)
+
+
 def test_transform_is_in_mathematical_order():
     frame = openrt.FrameBuffer(32, 32, values=["object_id"])
     look()

@@ -49,9 +49,15 @@ def mesh(vertices, triangles=None, normals=None, colors=None, texcoords=None, sh
 
     raw.rtPushClientAttrib(raw.RT_CLIENT_VERTEX_ARRAY_BIT)
     try:
+        for target in (raw.RT_ARRAY_BUFFER, raw.RT_ELEMENT_ARRAY_BUFFER):
+            raw.rtBindBuffer(target, 0)
         for token in (raw.RT_VERTEX_ARRAY, raw.RT_NORMAL_ARRAY, raw.RT_COLOR_ARRAY,
-                      raw.RT_TEXTURE_COORD_ARRAY, raw.RT_EDGE_FLAG_ARRAY):
+                      raw.RT_SECONDARY_COLOR_ARRAY, raw.RT_FOG_COORD_ARRAY, raw.RT_INDEX_ARRAY,
+                      raw.RT_EDGE_FLAG_ARRAY):
             raw.rtDisableClientState(token)
+        for unit in (raw.RT_TEXTURE3, raw.RT_TEXTURE2, raw.RT_TEXTURE1, raw.RT_TEXTURE0):
+            raw.rtClientActiveTexture(unit)
+            raw.rtDisableClientState(raw.RT_TEXTURE_COORD_ARRAY)
         for token, point, array in arrays:
             raw.rtEnableClientState(token)
             point(array.shape[1], raw.RT_FLOAT, 0, array)
