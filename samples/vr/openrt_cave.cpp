@@ -168,7 +168,8 @@ int run() {
     const std::optional<samples::View> wantedView = samples::viewFrom(options);
     if (!(options.side > 0 && options.scale > 0 && options.eyeDistance >= 0 && options.rate > 0))
         throw CLI::ValidationError("--side, --scale and --rate are above 0, --eyes at least 0");
-    if (!options.output.empty()) fileName("front", 0);
+    if (!options.output.empty() && !fileName("front", 0).ends_with(".png"))
+        throw CLI::ValidationError("--output " + options.output + ": its name does not end in .png");
     const samples::HeadPath path(options.path);
     rtInit(nullptr, nullptr);
     samples::applySettings(options);

@@ -102,7 +102,7 @@ int run(const Options& options) {
     if (!options.isa.empty() && !selectKernels(options.isa.c_str()))
         throw std::runtime_error("--isa " + options.isa + ": not in this library or machine");
     if (options.speed.size == 0 || options.speed.size % 4 != 0)
-        throw std::runtime_error("--size: must be a multiple of 4");
+        throw CLI::ValidationError("--size: must be a multiple of 4");
     const std::vector<EngineKind> engines = chosenEngines(options.engines);
     AccuracyReport report;
     report.isa = kernels().name;
@@ -129,7 +129,7 @@ int run(const Options& options) {
     if (!options.json.empty()) {
         std::ofstream file(options.json);
         file << report.json().dump(1) << '\n';
-        if (!file) throw std::runtime_error(options.json + ": can not be written");
+        if (!file.flush()) throw std::runtime_error(options.json + ": can not be written");
     }
     const std::string broken = report.brokenPromises();
     if (broken.empty())
@@ -184,11 +184,11 @@ int main(int argc, char** argv) {
     app.add_flag("--table", options.table, "print the figures");
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : smart::test::kExitUsage;
-    }
-    try {
         return smart::test::run(options);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
+        std::cerr << "openrt-accuracy: " << error.what() << '\n';
+        return smart::test::kExitUsage;
     } catch (const std::exception& error) {
         std::cerr << "openrt-accuracy: " << error.what() << '\n';
         return smart::test::kExitError;

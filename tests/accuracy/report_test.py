@@ -32,6 +32,12 @@ class Report(unittest.TestCase):
                                "--tables", self.path / "tables.md", *arguments],
                               capture_output=True, text=True, check=False)
 
+    def test_wrong_options(self):
+        for arguments in (["--no"], ["--size", "6"], ["--size", "many"]):
+            done = self.run_program(*arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertRegex(done.stderr, r"\Aopenrt-accuracy: .*\n\Z")
+
     def test_report_and_pictures(self):
         report = self.path / "report.json"
         done = self.run_program("--rays", "60", "--identity", "32", "--cases", CASES, "--scene",
@@ -64,7 +70,8 @@ class Report(unittest.TestCase):
     def test_what_does_not_exist_is_refused(self):
         for arguments in (["--cases", "H99"], ["--engines", "nobody"], ["--isa", "none"],
                           ["--cases", "none", "--scene", str(self.path / "no.tri")],
-                          ["--cases", "H1-exact-vert", "--rays", "10", "--json", "/no/file"]):
+                          ["--cases", "H1-exact-vert", "--rays", "10", "--json", "/no/file"],
+                          ["--cases", "none", "--json", "/dev/full"]):
             done = self.run_program(*arguments)
             self.assertEqual(done.returncode, 1, arguments)
             self.assertIn("openrt-accuracy: ", done.stderr)

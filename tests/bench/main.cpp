@@ -41,7 +41,8 @@ int runCommand(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kExitUsage;
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
+        throw UsageError(error.what());
     }
     for (const auto& [sub, run] : commands) {
         if (sub->parsed()) return run();

@@ -101,7 +101,9 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kWrongCommandLine;
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
+        std::fprintf(stderr, "openrt-conformance: %s\n", error.what());
+        return kWrongCommandLine;
     }
     if (!settings.library.empty()) settings.library = std::filesystem::canonical(settings.library);
 
@@ -117,6 +119,7 @@ int run(int argc, char** argv) {
     }
     if (times) return measureFrameTimes(settings, prefix).empty() ? kFailed : 0;
     const std::vector<Case> cases = casesWith(prefix, settings);
+    if (cases.empty()) throw std::runtime_error("--cases: none is called so; see --list");
     if (list) {
         for (const Case& one : cases) std::printf("%s\n", one.name.c_str());
         return 0;

@@ -103,12 +103,13 @@ class Cave(unittest.TestCase):
         (self.folder / "bad.path").write_text("0 1 2\n")
         for arguments, more in ((["--side", "0"], {}), (["--scale", "nan"], {}),
                                 (["-o", self.folder / "x.png"], {}),
+                                (["-o", self.folder / "%s-%d.bmp"], {}),
                                 ([], {"scene": self.folder / "nothing.glb"}),
                                 ([], {"path": self.folder / "bad.path"})):
             result = self.run_program("--frames", "1", *arguments, **more)
             self.assertIn(result.returncode, (1, 2), arguments)
             self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        self.assertEqual(list(self.folder.glob("*.png")), [])
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["bad.path"])
 
 
 if __name__ == "__main__":
