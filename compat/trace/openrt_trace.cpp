@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // openrt-trace: records what a program calls, plays it, shows it, writes it as C.
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,11 +26,27 @@ using namespace smart::compat;
 
 constexpr int kDifferent = 1, kWrongCommandLine = 2, kFailure = 3;
 
+/// Takes away what is to be replaced, so that the library can make the file.
+void makeRoom(const std::string& file) {
+    namespace fs = std::filesystem;
+    const fs::file_type type = fs::symlink_status(file).type();
+    if (type != fs::file_type::not_found && type != fs::file_type::regular &&
+        type != fs::file_type::symlink)
+        throw StreamError(file + ": only a file is replaced, not a folder or a device");
+    const auto check = [&](bool good) {
+        if (!good) throw StreamError(file + ": " + std::strerror(errno));
+    };
+    check(type == fs::file_type::not_found || unlink(file.c_str()) == 0);
+    const int trial = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    check(trial >= 0);
+    close(trial);
+    unlink(file.c_str());
+}
+
 /// Runs the program with its calls recorded; its exit status.
 int record(const std::string& file, const std::vector<std::string>& program) {
     const std::string absolute = std::filesystem::absolute(file).string();
-    if (unlink(absolute.c_str()) != 0 && errno != ENOENT)
-        throw StreamError(file + ": " + std::strerror(errno));
+    makeRoom(file);
     const pid_t child = fork();
     if (child < 0) throw StreamError(std::string("fork: ") + std::strerror(errno));
     if (child == 0) {
@@ -58,9 +75,7 @@ int record(const std::string& file, const std::vector<std::string>& program) {
 class Replay final : public PlayPolicy {
 public:
     Replay(std::string output, std::string shaders)
-        : output_(std::move(output)), shaders_(std::move(shaders)) {
-        if (!output_.empty()) nameOfPicture(output_, 1);
-    }
+        : output_(std::move(output)), shaders_(std::move(shaders)) {}
 
     const RTshaderclass* shaderClass(const std::string& name) override {
         if (shaders_.empty()) return nullptr;
@@ -82,6 +97,15 @@ private:
     std::string output_, shaders_;
     uint64_t divergences_ = 0;
 };
+
+std::string faultOfPattern(const std::string& pattern) {
+    try {
+        nameOfPicture(pattern, 1);
+        return {};
+    } catch (const StreamError& error) {
+        return error.what();
+    }
+}
 
 /// The records of the calls up to this one.
 std::span<const std::byte> firstCalls(const TraceInput& input, uint64_t until) {
@@ -138,8 +162,11 @@ int run(int argc, char* argv[]) {
                                                  "frame with the recorded one");
     playing->add_option("FILE", file, "a recording")->required();
     playing->add_option("--output", output, "writes each frame, with its number for %d")
-        ->type_name("frame%03d.png");
-    playing->add_option("--until", until, "makes the first N calls only")->type_name("N");
+        ->type_name("frame%03d.png")
+        ->check(&faultOfPattern);
+    playing->add_option("--until", until, "makes the first N calls only")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
     playing
         ->add_option("--shaders", shaders,
                      "the shader library with the classes that the program registered itself")

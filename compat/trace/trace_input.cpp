@@ -2,6 +2,7 @@
 #include "compat/trace/trace_input.h"
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "compat/stream/call_player.h"
@@ -10,7 +11,9 @@ namespace smart::compat {
 
 TraceInput::TraceInput(const std::string& path) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
-    if (!file) throw StreamError(path + ": can not be read");
+    std::error_code unknown;
+    if (!file || !std::filesystem::is_regular_file(path, unknown))
+        throw StreamError(path + ": can not be read");
     bytes_.resize(std::size_t(file.tellg()));
     file.seekg(0);
     file.read(reinterpret_cast<char*>(bytes_.data()), std::streamsize(bytes_.size()));

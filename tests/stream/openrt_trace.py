@@ -96,13 +96,31 @@ class Trace(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         pictures = sorted(p.name for p in self.folder.glob("*.png"))
         self.assertEqual(pictures, [f"frame{i:03d}.png" for i in range(1, 6)])
-        self.assertEqual(self.trace("replay", self.file, "--output", "frame.png").returncode, 3)
+        for pattern in ("frame.png", "frame%s.png", "frame%d"):
+            result = self.trace("replay", self.file, "--output", pattern)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+            self.assertIn(pattern, result.stderr)
 
     def test_until(self):
         self.record(ARGUMENTS.program)
         result = self.trace("replay", self.file, "--until", "10")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(result.stdout.startswith("10 calls, 0 frames"), result.stdout)
+
+        for wrong in ("0", "-1", "x"):
+            self.assertEqual(self.trace("replay", self.file, "--until", wrong).returncode, 2)
+
+    def test_what_is_no_file_is_neither_replaced_nor_played(self):
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        for name in (pipe, self.folder, self.folder / "nowhere" / "calls.ort"):
+            result = self.trace("record", "-o", name, ARGUMENTS.program)
+            self.assertEqual((result.returncode, result.stdout), (3, ""), result.stderr)
+            self.assertRegex(result.stderr, rf"\Aopenrt-trace: {name}: .*\n\Z")
+        self.assertTrue(pipe.is_fifo())
+        result = self.trace("info", self.folder)
+        self.assertEqual((result.returncode, result.stderr),
+                         (3, f"openrt-trace: {self.folder}: can not be read\n"))
 
     def test_info_and_dump(self):
         self.record(ARGUMENTS.program)
