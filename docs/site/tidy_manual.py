@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Keeps of the manual pages that Doxygen made those of functions that the libraries export, and of
-the headers these are links to, compressed as Debian wants them.
+the headers these are links to, compressed as Debian wants them. The synopsis has the header that programs include.
 
 usage: tidy_manual.py FOLDER MAP...
 """
@@ -10,6 +10,13 @@ import gzip
 import pathlib
 import re
 import sys
+
+
+def with_synopsis(text, header):
+    """The page of a header, which Doxygen gives what that header includes itself."""
+    whole = "rt.h" if header.startswith("rt_") else header
+    return re.sub(r"(?:\\fC#include '[^']*'\\fP\n\.br\n)+",
+                  lambda _: f"\\fC#include <openrt/{whole}>\\fP\n.br\n", text, count=1)
 
 
 def main():
@@ -25,6 +32,7 @@ def main():
     for path, text in pages.items():
         if path in keep:
             text = re.sub(r"^(\.so man3/\S+)", r"\1.gz", text, flags=re.MULTILINE)
+            text = with_synopsis(text, path.stem)
             packed = gzip.compress(text.encode(), 9, mtime=0)
             path.with_suffix(".3.gz").write_bytes(packed)
         path.unlink()

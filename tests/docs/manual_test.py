@@ -16,6 +16,7 @@ sys.path[:0] = [str(ROOT / "docs/site"), str(ROOT / "tests/calls")]
 import api_functions  # noqa: E402
 import manual_fields  # noqa: E402
 from header_filter import convert  # noqa: E402
+from tidy_manual import with_synopsis  # noqa: E402
 
 FIELDS = {"errors": "@par Errors", "threads": "@par Threads", "since": "@since ",
           "source": "@par Source"}
@@ -73,6 +74,16 @@ class Manual(unittest.TestCase):
         declared = {name for path in (ROOT / "include/openrt").glob("*.h")
                     for name in re.findall(r"\b(rt\w+)\b", path.read_text(encoding="utf-8"))}
         self.assertEqual(sorted(set(manual_fields.sources()) - declared), [])
+
+    def test_synopsis(self):
+        """Each header names what programs include."""
+        made = r"\fC#include 'openrt/{}\&.h'\fP" + "\n.br\n"
+        page = ".PP\n" + made.format("rtu_enums") + made.format("types") + "\n.SS Functions\n"
+        for header, whole in (("rt_queue.h", "rt.h"), ("rtu.h", "rtu.h"), ("rtut.h", "rtut.h")):
+            self.assertEqual(with_synopsis(page, header), ".PP\n" rf"\fC#include <openrt/{whole}>\fP"
+                             "\n.br\n\n.SS Functions\n")
+        self.assertEqual(with_synopsis(".so man3/rt_queue.h.3.gz\n", "rtQueueView"),
+                         ".so man3/rt_queue.h.3.gz\n")
 
     def test_controls(self):
         call = "RTAPI void RTAPIENTRY rtInit(int *argcp, char *argv[]);\n"

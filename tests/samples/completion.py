@@ -4,6 +4,7 @@
 
 usage: completion.py FOLDER_OF_PROGRAMS COMPLETION_FILE [unittest arguments]
 """
+import os
 import pathlib
 import re
 import subprocess
@@ -22,7 +23,8 @@ printf '%s\\n' "${COMPREPLY[@]}"
 def offered(*words):
     """For the last word, behind the ones before it."""
     result = subprocess.run(["bash", "-c", SCRIPT, "bash", FILE, *words], text=True,
-                            capture_output=True, check=True)
+                            capture_output=True, check=True, env={**os.environ, "HOME": PROGRAMS})
+    assert not result.stderr, result.stderr
     return {line for line in result.stdout.split("\n") if line}
 
 
@@ -67,6 +69,10 @@ class Completion(unittest.TestCase):
         self.assertEqual(offered(program, "--ver"), {"--version"})
         self.assertEqual(offered(program, "--nothing"), set())
         self.assertEqual(offered(program, "--precision", "w"), {"watertight"})
+
+    def test_words_of_any_kind(self):
+        self.assertEqual(offered("~/openrt-info", "--ver"), {"--version"})
+        self.assertEqual(offered(PROGRAMS / "openrt-info", "[", "*", "", "--ver"), {"--version"})
 
     def test_without_a_program(self):
         self.assertEqual(offered("openrt-of-no-such-name", "-"), set())
