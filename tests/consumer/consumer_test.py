@@ -61,7 +61,7 @@ def cmake_projects(work, installation, generator):
     source = work / "outside"
     source.mkdir()
     shutil.copy(HERE / "outside.cmake", source / "CMakeLists.txt")
-    for name in ("consumer.c", "core_consumer.cpp"):
+    for name in ("consumer.c", "core_consumer.cpp", "window_consumer.c"):
         shutil.copy(HERE / name, source)
     run("cmake", "-G", generator, "-S", str(source), "-B", str(source / "build"),
         f"-DCMAKE_PREFIX_PATH={installation.prefix}", f"-DCMAKE_C_COMPILER={installation.cc}",
@@ -70,6 +70,8 @@ def cmake_projects(work, installation, generator):
     run("cmake", "--build", str(source / "build"))
     for name in ("consumer", "core_consumer"):
         print(run(str(source / "build" / name)), end="")
+    if (installation.lib / "librtut.so").exists():
+        run(str(source / "build/window_consumer"), "--rt-offscreen", "1", "--rt-size", "32x32")
 
 
 def build_shader_libraries(folder, installation):
