@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The module has all that the C headers declare, and what it has is what the compiler sees."""
+import inspect
 import os
 import pathlib
 import re
@@ -44,6 +45,16 @@ def test_calls_without_a_context_are_those_that_say_so():
                                     header.read_text(), flags=re.S):
             said |= set(re.findall(r"\bRTAPIENTRY\s+(rt\w+)\(", functions))
     assert said == _WITHOUT_CONTEXT
+
+
+def test_help_tells_of_everything():
+    things = {name: getattr(openrt, name) for name in openrt.__all__ if callable(getattr(openrt, name))}
+    for name, thing in list(things.items()):
+        if inspect.isclass(thing):
+            things.update({f"{name}.{part}": member for part, member in vars(thing).items()
+                           if part[0] != "_" and (callable(member) or isinstance(member, property))})
+    assert "Shader.bind" in things and "Hits.hit" in things
+    assert [name for name, thing in things.items() if not thing.__doc__] == []
 
 
 def test_structures_have_the_compilers_layout():

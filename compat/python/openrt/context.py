@@ -29,6 +29,7 @@ def exit():
 
 
 def version():
+    """Of the library, as "0.1.0"."""
     return _text(raw.RT_VERSION).split()[-1]
 
 

@@ -109,6 +109,7 @@ class QueuedFrame:
         return done
 
     def cancel(self):
+        """Drops what no thread has begun; the frame ends soon."""
         raw.rtCancelFrame(self.number)
 
     @property
@@ -118,6 +119,7 @@ class QueuedFrame:
 
     @property
     def ended(self):
+        """Whether nothing is written to the buffer any more."""
         return _has_ended(self.number)
 
 

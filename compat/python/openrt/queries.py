@@ -24,6 +24,7 @@ class Hits:
 
     @property
     def hit(self):
+        """Whether each ray hit anything: n truth values."""
         return self.primitive != MISS
 
 

@@ -37,12 +37,15 @@ class Shader:
         raw.rtUseLight(self.id)
 
     def use_as_camera(self):
+        """Takes the picture of the next frame, in the place of camera()."""
         raw.rtUseCamera(self.id)
 
     def use_as_environment(self):
+        """Surrounds the next frame: what rays see that meet nothing."""
         raw.rtUseEnvironmentShader(self.id)
 
     def use_as_rendering_object(self):
+        """Makes pixels of rays in the next frame."""
         raw.rtUseRenderingObject(self.id)
 
     def remove(self):
