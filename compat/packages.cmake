@@ -23,6 +23,7 @@ endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME openrt)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
 set(CPACK_PACKAGE_VENDOR "The OpenRT authors")
 set(CPACK_PACKAGE_CONTACT "The OpenRT authors <noreply@openrt.example>")
 set(CPACK_STRIP_FILES ON)
@@ -48,14 +49,14 @@ endfunction()
 
 openrt_package(libopenrt0 libs "real-time ray tracing with an interface like OpenGL's"
     "OpenRT traces rays on the processor, on all its cores, through scenes that a
- program describes as it would to OpenGL: rtBegin, rtVertex3f, rtEnd. This
- package holds the shared library.")
+program describes as it would to OpenGL: rtBegin, rtVertex3f, rtEnd. This
+package holds the shared library.")
 openrt_package(librtut0 libs "windows and events for OpenRT"
     "The counterpart of GLUT for programs that draw with OpenRT: windows, input,
- timers, shapes and fonts, and frames without a display." libopenrt0)
+timers, shapes and fonts, and frames without a display." libopenrt0)
 openrt_package(libopenrt-mpi0 libs "OpenRT on several machines, by MPI"
     "Lets all processes that mpirun starts of an OpenRT program render its frames
- together. OpenRT opens it by itself when a program was started so." libopenrt0)
+together. OpenRT opens it by itself when a program was started so." libopenrt0)
 set(CPACK_DEBIAN_LIBOPENRT-MPI0_PACKAGE_RECOMMENDS "openmpi-bin")
 set(CPACK_DEBIAN_LIBOPENRT0_PACKAGE_SUGGESTS "libopenrt-mpi0")
 set(development libopenrt0)
@@ -64,16 +65,16 @@ if(TARGET rtut)
 endif()
 openrt_package(libopenrt-dev libdevel "real-time ray tracing - development files"
     "Headers, pkg-config and CMake files for programs that draw with OpenRT and for
- shader libraries, and the static ray tracing core libsmart." ${development})
+shader libraries, and the static ray tracing core libsmart." ${development})
 openrt_package(openrt-tools graphics "programs of the OpenRT ray tracing library"
     "openrt-render makes pictures of glTF, OBJ and PLY scenes, openrt-view shows
- them, openrt-cave and openrt-xr show them in CAVEs and head-mounted displays,
- openrt-trace records and replays what programs call, openrt-info tells what the
- library and the machine have. Shader libraries to try and to learn from are
- included." libopenrt0)
+them, openrt-cave and openrt-xr show them in CAVEs and head-mounted displays,
+openrt-trace records and replays what programs call, openrt-info tells what the
+library and the machine have. Shader libraries to try and to learn from are
+included." libopenrt0)
 openrt_package(openrt-doc doc "real-time ray tracing - documentation"
     "Guides to OpenRT: porting OpenGL programs, shaders, textures, precision,
- performance and the library's architecture.")
+performance and the library's architecture.")
 foreach(library LIBOPENRT0 LIBRTUT0 LIBOPENRT-MPI0)
     set(CPACK_DEBIAN_${library}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers)
 endforeach()

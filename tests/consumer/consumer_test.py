@@ -136,11 +136,22 @@ def components(work, build):
             expect(owners == [component], f"{name} is in {component}, not in {owners}")
 
 
+def guides(prefix):
+    """Where the manual pages say that they are, and nothing of what only makes them."""
+    folder = prefix / "share/doc/openrt"
+    expect((folder / "porting.md").exists(), "the guides are installed")
+    sources = [path for name in ("CMakeLists.txt", "*.h2m", "*.py") for path in folder.rglob(name)]
+    expect(not sources, f"{sources} are no guides")
+    for page in (HERE.parents[1] / "docs/man").glob("*.h2m"):
+        expect("/usr/share/doc/openrt\n" in page.read_text(), f"{page} names their folder")
+
+
 def main(build, generator, cc, cxx, flags):
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         prefix = work / "a prefix"
         run("cmake", "--install", build, "--prefix", str(prefix))
+        guides(prefix)
         installation = Installation(prefix, cc, cxx, flags)
         program = installation.program("consumer.c", work / "by-pkg-config")
         result = installation.run(str(program))

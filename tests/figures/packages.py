@@ -5,7 +5,7 @@
     packages.py BUILD [--json FILE]
 
 Configures BUILD as the preset `package` does, builds it, and runs cpack. Exit status 1 if lintian
-finds an error, or a package is missing.
+finds an error, a package is missing, or two are described by the same words.
 """
 import argparse
 import collections
@@ -54,6 +54,11 @@ def findings(package):
     return found
 
 
+def synopsis(package):
+    return subprocess.run(["dpkg-deb", "-f", package, "Description"], capture_output=True, text=True,
+                          check=True).stdout.splitlines()[0]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -63,9 +68,10 @@ def main():
     if not shutil.which("lintian"):
         print("lintian is not installed: the packages are not judged")
         return 1
-    packages = []
+    packages, synopses = [], set()
     for path in make(arguments.build.resolve()):
         found = findings(path)
+        synopses.add(synopsis(path))
         packages.append({"package": path.name.split("_")[0], "bytes": path.stat().st_size,
                          "errors": sorted(set(found["E"])), "warnings": sorted(set(found["W"]))})
         print(json.dumps(packages[-1]))
@@ -74,7 +80,9 @@ def main():
     missing = EXPECTED - {entry["package"] for entry in packages}
     if missing:
         print(f"no package {', '.join(sorted(missing))}")
-    return 1 if missing or any(entry["errors"] for entry in packages) else 0
+    if len(synopses) < len(packages):
+        print("packages have the same synopsis")
+    return 1 if missing or len(synopses) < len(packages) or any(entry["errors"] for entry in packages) else 0
 
 
 if __name__ == "__main__":
