@@ -66,7 +66,7 @@ RTAPI void RTAPIENTRY rtReleaseScene(RTuint handle);
  * consecutive rays are neighbours, as in tiles or in Morton order, else RT_INCOHERENT; it changes
  * the speed only.
  * Errors (in the calling thread's context, if it has one):
- *          RT_INVALID_VALUE  unknown handle, count negative, a NULL pointer, unknown flags
+ *          RT_INVALID_VALUE  unknown handle, count negative; of rays: a NULL pointer, unknown flags
  *          RT_INVALID_ENUM   another coherence
  * Threads: any; no context needed. Since: 0.1 */
 RTAPI void RTAPIENTRY rtIntersect(RTuint handle, const RTray *rays, RThit *hits, RTsizei count,
