@@ -119,6 +119,8 @@ BLOCKS = {
         "openrt-accuracy --table": NotRun("takes its time; the tests of accuracy run all cases "
                                           "with few rays"),
     },
+    "docs/shader-packets.md": {"": Elsewhere("shaders.guide")},
+    "docs/shader-rays.md": {"": Elsewhere("shaders.guide")},
     "docs/shaders.md": {"": Elsewhere("shaders.guide")},
     "docs/textures.md": {
         "RTuint id;": Fragment(

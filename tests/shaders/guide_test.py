@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every block of code in the shader guide is compiled and used, every command is run.
+"""Every block of code on the pages of the shader guide is compiled and used, every command is run.
 
 guide_test.py SOURCE_FOLDER BUILD_FOLDER LIBRARY LOADER SHADER_FOLDER [sanitized]
 
@@ -22,6 +22,7 @@ import unittest
 SOURCE, BUILD, LIBRARY, LOADER, SHADERS = map(pathlib.Path, sys.argv[1:6])
 # Programs that the guide's commands compile can not run with a sanitized library.
 SANITIZED = "sanitized" in sys.argv[6:]
+PAGES = [SOURCE / "docs" / name for name in ("shaders.md", "shader-rays.md", "shader-packets.md")]
 
 
 class Block:
@@ -172,28 +173,29 @@ class Guide(unittest.TestCase):
         self.workshop = Workshop(pathlib.Path(temporary.name))
 
     def test_every_block_works(self):
-        blocks = blocks_of((SOURCE / "docs" / "shaders.md").read_text())
+        blocks = [(page.name, block) for page in PAGES for block in blocks_of(page.read_text())]
         self.assertGreater(len(blocks), 20)
-        for block in blocks:
-            with self.subTest(str(block)):
+        for page, block in blocks:
+            with self.subTest(f"{page}, {block}"):
                 self.workshop.take(block)
 
     def test_links_lead_somewhere(self):
-        guide = (SOURCE / "docs" / "shaders.md").read_text()
-        headings = {re.sub(r"[^a-z0-9 -]", "", h.lower()).replace(" ", "-")
-                    for h in re.findall(r"^#+ (.*)$", guide, re.M)}
-        for target in re.findall(r"\]\(([^)]*)\)", guide):
-            with self.subTest(target):
-                path, _, anchor = target.partition("#")
-                if path:
-                    self.assertTrue((SOURCE / "docs" / path).exists())
-                else:
-                    self.assertIn(anchor, headings)
-        for named in re.findall(r"`(samples/[\w/.]+)`", guide):
-            self.assertTrue((SOURCE / named).exists(), named)
+        for page in PAGES:
+            guide = page.read_text()
+            headings = {re.sub(r"[^a-z0-9 -]", "", h.lower()).replace(" ", "-")
+                        for h in re.findall(r"^#+ (.*)$", guide, re.M)}
+            for target in re.findall(r"\]\(([^)]*)\)", guide):
+                with self.subTest(f"{page.name}, {target}"):
+                    path, _, anchor = target.partition("#")
+                    if path:
+                        self.assertTrue((SOURCE / "docs" / path).exists())
+                    else:
+                        self.assertIn(anchor, headings)
+            for named in re.findall(r"`(samples/[\w/.]+)`", guide):
+                self.assertTrue((SOURCE / named).exists(), named)
 
     def test_a_broken_block_is_found(self):
-        good = next(b for b in blocks_of((SOURCE / "docs" / "shaders.md").read_text())
+        good = next(b for b in blocks_of(PAGES[0].read_text())
                     if b.note == "file dusk.cpp")
         self.workshop.take(good)
         broken = [
