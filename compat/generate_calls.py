@@ -97,12 +97,13 @@ def unnamed(parameters):
 def refused_source(rows):
     out = ["// SPDX-License-Identifier: MIT", f"// {NOTE}",
            '#include "compat/openrt/guard.h"', '#include "openrt/rt_gl.h"', "",
-           "using smart::compat::refused;"]
+           "using smart::compat::refused;", "using smart::compat::refusedInPrimitive;"]
     for chapter, members in chapters(rows):
         out += ["", f"// {chapter}"]
         for row in members:
             head = f"RTAPI {result_type(row)}RTAPIENTRY {row['name']}"
-            call = f'refused("{row["name"]}");'
+            legal = re.match(r"rt(Index[a-z]|EvalCoord|EvalPoint)", row["name"])
+            call = f'{"refusedInPrimitive" if legal else "refused"}("{row["name"]}");'
             if row["result"].endswith("*"):
                 call += " return nullptr;"
             elif row["result"] == "RTboolean":

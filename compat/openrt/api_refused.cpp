@@ -4,18 +4,19 @@
 #include "openrt/rt_gl.h"
 
 using smart::compat::refused;
+using smart::compat::refusedInPrimitive;
 
 // Begin, end and current values
-RTAPI void RTAPIENTRY rtIndexd(RTdouble) { refused("rtIndexd"); }
-RTAPI void RTAPIENTRY rtIndexf(RTfloat) { refused("rtIndexf"); }
-RTAPI void RTAPIENTRY rtIndexi(RTint) { refused("rtIndexi"); }
-RTAPI void RTAPIENTRY rtIndexs(RTshort) { refused("rtIndexs"); }
-RTAPI void RTAPIENTRY rtIndexub(RTubyte) { refused("rtIndexub"); }
-RTAPI void RTAPIENTRY rtIndexdv(const RTdouble *) { refused("rtIndexdv"); }
-RTAPI void RTAPIENTRY rtIndexfv(const RTfloat *) { refused("rtIndexfv"); }
-RTAPI void RTAPIENTRY rtIndexiv(const RTint *) { refused("rtIndexiv"); }
-RTAPI void RTAPIENTRY rtIndexsv(const RTshort *) { refused("rtIndexsv"); }
-RTAPI void RTAPIENTRY rtIndexubv(const RTubyte *) { refused("rtIndexubv"); }
+RTAPI void RTAPIENTRY rtIndexd(RTdouble) { refusedInPrimitive("rtIndexd"); }
+RTAPI void RTAPIENTRY rtIndexf(RTfloat) { refusedInPrimitive("rtIndexf"); }
+RTAPI void RTAPIENTRY rtIndexi(RTint) { refusedInPrimitive("rtIndexi"); }
+RTAPI void RTAPIENTRY rtIndexs(RTshort) { refusedInPrimitive("rtIndexs"); }
+RTAPI void RTAPIENTRY rtIndexub(RTubyte) { refusedInPrimitive("rtIndexub"); }
+RTAPI void RTAPIENTRY rtIndexdv(const RTdouble *) { refusedInPrimitive("rtIndexdv"); }
+RTAPI void RTAPIENTRY rtIndexfv(const RTfloat *) { refusedInPrimitive("rtIndexfv"); }
+RTAPI void RTAPIENTRY rtIndexiv(const RTint *) { refusedInPrimitive("rtIndexiv"); }
+RTAPI void RTAPIENTRY rtIndexsv(const RTshort *) { refusedInPrimitive("rtIndexsv"); }
+RTAPI void RTAPIENTRY rtIndexubv(const RTubyte *) { refusedInPrimitive("rtIndexubv"); }
 
 // Queries
 RTAPI void RTAPIENTRY rtGenQueries(RTsizei, RTuint *) { refused("rtGenQueries"); }
@@ -75,22 +76,22 @@ RTAPI void RTAPIENTRY rtMap2f(RTenum, RTfloat, RTfloat, RTint, RTint, RTfloat, R
 RTAPI void RTAPIENTRY rtGetMapdv(RTenum, RTenum, RTdouble *) { refused("rtGetMapdv"); }
 RTAPI void RTAPIENTRY rtGetMapfv(RTenum, RTenum, RTfloat *) { refused("rtGetMapfv"); }
 RTAPI void RTAPIENTRY rtGetMapiv(RTenum, RTenum, RTint *) { refused("rtGetMapiv"); }
-RTAPI void RTAPIENTRY rtEvalCoord1d(RTdouble) { refused("rtEvalCoord1d"); }
-RTAPI void RTAPIENTRY rtEvalCoord1f(RTfloat) { refused("rtEvalCoord1f"); }
-RTAPI void RTAPIENTRY rtEvalCoord1dv(const RTdouble *) { refused("rtEvalCoord1dv"); }
-RTAPI void RTAPIENTRY rtEvalCoord1fv(const RTfloat *) { refused("rtEvalCoord1fv"); }
-RTAPI void RTAPIENTRY rtEvalCoord2d(RTdouble, RTdouble) { refused("rtEvalCoord2d"); }
-RTAPI void RTAPIENTRY rtEvalCoord2f(RTfloat, RTfloat) { refused("rtEvalCoord2f"); }
-RTAPI void RTAPIENTRY rtEvalCoord2dv(const RTdouble *) { refused("rtEvalCoord2dv"); }
-RTAPI void RTAPIENTRY rtEvalCoord2fv(const RTfloat *) { refused("rtEvalCoord2fv"); }
+RTAPI void RTAPIENTRY rtEvalCoord1d(RTdouble) { refusedInPrimitive("rtEvalCoord1d"); }
+RTAPI void RTAPIENTRY rtEvalCoord1f(RTfloat) { refusedInPrimitive("rtEvalCoord1f"); }
+RTAPI void RTAPIENTRY rtEvalCoord1dv(const RTdouble *) { refusedInPrimitive("rtEvalCoord1dv"); }
+RTAPI void RTAPIENTRY rtEvalCoord1fv(const RTfloat *) { refusedInPrimitive("rtEvalCoord1fv"); }
+RTAPI void RTAPIENTRY rtEvalCoord2d(RTdouble, RTdouble) { refusedInPrimitive("rtEvalCoord2d"); }
+RTAPI void RTAPIENTRY rtEvalCoord2f(RTfloat, RTfloat) { refusedInPrimitive("rtEvalCoord2f"); }
+RTAPI void RTAPIENTRY rtEvalCoord2dv(const RTdouble *) { refusedInPrimitive("rtEvalCoord2dv"); }
+RTAPI void RTAPIENTRY rtEvalCoord2fv(const RTfloat *) { refusedInPrimitive("rtEvalCoord2fv"); }
 RTAPI void RTAPIENTRY rtMapGrid1d(RTint, RTdouble, RTdouble) { refused("rtMapGrid1d"); }
 RTAPI void RTAPIENTRY rtMapGrid1f(RTint, RTfloat, RTfloat) { refused("rtMapGrid1f"); }
 RTAPI void RTAPIENTRY rtMapGrid2d(RTint, RTdouble, RTdouble, RTint, RTdouble,
     RTdouble) { refused("rtMapGrid2d"); }
 RTAPI void RTAPIENTRY rtMapGrid2f(RTint, RTfloat, RTfloat, RTint, RTfloat,
     RTfloat) { refused("rtMapGrid2f"); }
-RTAPI void RTAPIENTRY rtEvalPoint1(RTint) { refused("rtEvalPoint1"); }
-RTAPI void RTAPIENTRY rtEvalPoint2(RTint, RTint) { refused("rtEvalPoint2"); }
+RTAPI void RTAPIENTRY rtEvalPoint1(RTint) { refusedInPrimitive("rtEvalPoint1"); }
+RTAPI void RTAPIENTRY rtEvalPoint2(RTint, RTint) { refusedInPrimitive("rtEvalPoint2"); }
 RTAPI void RTAPIENTRY rtEvalMesh1(RTenum, RTint, RTint) { refused("rtEvalMesh1"); }
 RTAPI void RTAPIENTRY rtEvalMesh2(RTenum, RTint, RTint, RTint, RTint) { refused("rtEvalMesh2"); }
 

@@ -9,6 +9,13 @@
 #include "compat/openrt/frame_callback.h"
 
 namespace smart::compat {
+namespace {
+
+void refuseFunction(Context& context, const char* function) {
+    refuseOnce(context, function, std::string(function) + " is not part of this release");
+}
+
+} // namespace
 
 RTenum errorToken(ErrorCode code) noexcept {
     switch (code) {
@@ -49,8 +56,12 @@ void withoutContext(const char* function) noexcept {
 void refused(const char* function) noexcept {
     guarded(function, [&](Context& c) {
         c.recorder().requireOutsidePrimitive();
-        refuseOnce(c, function, std::string(function) + " is not part of this release");
+        refuseFunction(c, function);
     });
+}
+
+void refusedInPrimitive(const char* function) noexcept {
+    guarded(function, [&](Context& c) { refuseFunction(c, function); });
 }
 
 void refuseOnce(Context& context, const std::string& what, const std::string& text) {

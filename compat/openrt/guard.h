@@ -23,6 +23,8 @@ void withoutContext(const char* function) noexcept;
 void refuseOnce(Context& context, const std::string& what, const std::string& text);
 /// Records that a function of the interface is not part of this release, once for each function.
 void refused(const char* function) noexcept;
+/// The same of a function that is legal between begin and end.
+void refusedInPrimitive(const char* function) noexcept;
 
 [[noreturn]] void throwError(ErrorCode code, const std::string& text);
 /// Throws InvalidValue for nullptr.

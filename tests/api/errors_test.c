@@ -76,6 +76,17 @@ int main(void) {
     CHECK(calls == 3);
     CHECK_ERROR(RT_INVALID_OPERATION);
 
+    /* What is legal between rtBegin and rtEnd is refused there once too. */
+    rtBegin(RT_POINTS);
+    rtEvalPoint1(1);
+    rtEnd();
+    CHECK(strstr(rtGetErrorText(), "rtEvalPoint1 is not part of this release") != NULL);
+    CHECK_ERROR(RT_INVALID_OPERATION);
+    rtBegin(RT_POINTS);
+    rtEvalPoint1(1);
+    rtEnd();
+    CHECK_ERROR(RT_NO_ERROR);
+
     /* A text longer than its place is cut, not more. */
     {
         char name[2000];
