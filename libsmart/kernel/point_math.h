@@ -99,6 +99,9 @@ static inline LensPoint lensRow(const MatrixLens& lens, double y) {
     return {{up * m[1][0], up * m[1][1], up * m[1][2]}, up * m[1][3]};
 }
 
+/// What lies in the near or the far plane is seen, though the distances of its hits are rounded.
+inline constexpr double kBeforeNear = 1.0 - 0x1p-20, kBeyondFar = 1.0 + 0x1p-20;
+
 /// The ray through a point of the picture. Without `cones` the cone is zero.
 template <bool hasEye, bool upright, bool cones>
 static inline LensRay rayThrough(const MatrixLens& lens, const LensPoint& column,
@@ -137,14 +140,14 @@ static inline LensRay rayThrough(const MatrixLens& lens, const LensPoint& column
             start = -length / (stepW * nearW);
             end = -length / (stepW * farW);
         }
-        ray.tNear = float(start > 0.0 ? start : 0.0);
-        ray.tFar = float(endless ? __builtin_inf() : end);
+        ray.tNear = float(start > 0.0 ? start * kBeforeNear : 0.0);
+        ray.tFar = float(endless ? __builtin_inf() : end * kBeyondFar);
     } else {
         const double nearer = 1.0 / nearW;
         origin = near * nearer;
         ray.tNear = 0.0f;
         const double range = 2.0 * length / __builtin_fabs(nearW * farW);
-        ray.tFar = float(endless ? __builtin_inf() : range);
+        ray.tFar = float(endless ? __builtin_inf() : range * kBeyondFar);
         if constexpr (cones) {
             const Real3 right = (Real3{m[0][0], m[0][1], m[0][2]} - near * (m[0][3] * nearer)) * nearer;
             const Real3 above = (Real3{m[1][0], m[1][1], m[1][2]} - near * (m[1][3] * nearer)) * nearer;

@@ -403,6 +403,42 @@ static void loneTriangles(void) {
         }
 }
 
+/* Walls in the near or the far plane of a perspective are seen whole. */
+static void wallsInPlanes(void) {
+    static const GLdouble planes[][2] = {{2.0, 10.0}, {1.0, 100.0}, {3.0, 20.0}};
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glColor3f(1.0f, 1.0f, 1.0f);
+    for (int way = 0; way < 12; ++way) {
+        const GLdouble *plane = planes[way / 4], near = plane[0], z = plane[way / 2 % 2];
+        char name[64];
+        snprintf(name, sizeof name, "wall_in_plane/%g to %g/%g/%s", near, plane[1], z,
+                 way % 2 ? "moved" : "placed");
+        beginCase(name);
+        clearBoth();
+        glMatrixMode(GL_PROJECTION);
+        glLoadIdentity();
+        glFrustum(-0.5 * near, 0.5 * near, -0.5 * near, 0.5 * near, near, plane[1]);
+        glMatrixMode(GL_MODELVIEW);
+        glPushMatrix();
+        if (way % 2) glTranslated(0.0, 0.0, -z);
+        glBegin(GL_TRIANGLE_STRIP);
+        for (int i = 0; i < 4; ++i)
+            glVertex3d((i % 2 ? 0.31 : -0.31) * z, (i / 2 ? 0.31 : -0.31) * z, way % 2 ? 0.0 : -z);
+        glEnd();
+        glPopMatrix();
+        readWindow();
+        tellDrawn(0, kWindow);
+    }
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    glMatrixMode(GL_PROJECTION);
+    glPopMatrix();
+    glMatrixMode(GL_MODELVIEW);
+}
+
 static void askQuestions(void) {
     useWindowCoordinates();
     glColor4f(1.0f, 1.0f, 1.0f, 1.0f);
@@ -415,4 +451,5 @@ static void askQuestions(void) {
     roundedMeshes();
     turnedSquares();
     loneTriangles();
+    wallsInPlanes();
 }

@@ -95,10 +95,12 @@ TEST(CameraRays, FrustumAgainstItsDefinition) {
                                     -n);
             const double length = glm::length(onNear);
             for (int k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(ray.dir[k], float(onNear[k] / length));
-            EXPECT_FLOAT_EQ(ray.tNear, float(length));
-            EXPECT_FLOAT_EQ(ray.tFar, float(length * f / n));
-            EXPECT_NEAR(rays.depth(ray, ray.tNear), 0.0, 1e-6);
-            EXPECT_NEAR(rays.depth(ray, ray.tFar), 1.0, 1e-6);
+            EXPECT_FLOAT_EQ(ray.tNear, float(length * kBeforeNear));
+            EXPECT_FLOAT_EQ(ray.tFar, float(length * f / n * kBeyondFar));
+            EXPECT_LT(ray.tNear, float(length));
+            EXPECT_GT(ray.tFar, float(length * f / n));
+            EXPECT_NEAR(rays.depth(ray, float(length)), 0.0, 1e-6);
+            EXPECT_NEAR(rays.depth(ray, float(length * f / n)), 1.0, 1e-6);
             // Window depth of a frustum, half way in eye space.
             const double z = (n + f) / 2;
             EXPECT_NEAR(rays.depth(ray, float(length * z / n)), f * (z - n) / (z * (f - n)), 1e-6);
@@ -112,7 +114,7 @@ TEST(CameraRays, RaysLeadToTheEyeWhereTheNearPlaneIsTheFartherOne) {
     EXPECT_FLOAT_EQ(ray.org[2], -50.0f);
     EXPECT_EQ(ray.dir[2], 1.0f);
     EXPECT_EQ(ray.tNear, 0.0f);
-    EXPECT_FLOAT_EQ(ray.tFar, 49.0f);
+    EXPECT_FLOAT_EQ(ray.tFar, float(49.0 * kBeyondFar));
 }
 
 TEST(CameraRays, OrthographicRaysStartOnTheNearPlane) {
@@ -127,7 +129,7 @@ TEST(CameraRays, OrthographicRaysStartOnTheNearPlane) {
     EXPECT_EQ(ray.dir[1], 0.0f);
     EXPECT_EQ(ray.dir[2], -1.0f);
     EXPECT_EQ(ray.tNear, 0.0f);
-    EXPECT_FLOAT_EQ(ray.tFar, 8.0f);
+    EXPECT_FLOAT_EQ(ray.tFar, float(8.0 * kBeyondFar));
 }
 
 TEST(CameraRays, InfiniteFarPlaneIsNoLimit) {
@@ -135,7 +137,7 @@ TEST(CameraRays, InfiniteFarPlaneIsNoLimit) {
     Ray ray;
     ASSERT_TRUE(CameraRays(camera.frame).make(5.0, 5.0, ray));
     EXPECT_EQ(ray.tFar, kInf);
-    EXPECT_FLOAT_EQ(ray.tNear, 0.5f);
+    EXPECT_FLOAT_EQ(ray.tNear, float(0.5 * kBeforeNear));
 }
 
 TEST(CameraRays, ViewportCoversItsPixelsOnly) {
