@@ -20,6 +20,18 @@ using namespace smart::compat;
 
 namespace {
 
+/// What became part of OpenGL 1.1 to 1.5, and works whole.
+constexpr const char* kExtensions =
+    "GL_ARB_multitexture GL_ARB_point_parameters GL_ARB_texture_border_clamp "
+    "GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
+    "GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat GL_ARB_transpose_matrix "
+    "GL_ARB_vertex_buffer_object GL_ARB_window_pos GL_EXT_bgra GL_EXT_blend_color "
+    "GL_EXT_blend_func_separate GL_EXT_blend_minmax GL_EXT_blend_subtract "
+    "GL_EXT_draw_range_elements GL_EXT_fog_coord GL_EXT_multi_draw_arrays GL_EXT_packed_pixels "
+    "GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color "
+    "GL_EXT_subtexture GL_EXT_texture_lod_bias GL_EXT_texture_object GL_SGIS_generate_mipmap "
+    "GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod";
+
 // A context's handle is its id in the clothes of a pointer: never dangling, never used again.
 RTcontext handleOf(ContextId id) {
     return reinterpret_cast<RTcontext>(std::uintptr_t(id));
@@ -152,7 +164,7 @@ RTAPI const RTubyte* RTAPIENTRY rtGetString(RTenum name) {
         case RT_VERSION: text = "1.5 OpenRT " OPENRT_VERSION_STRING; break;
         case RT_VENDOR: text = "OpenRT project"; break;
         case RT_RENDERER: text = "OpenRT on libsmart"; break;
-        case RT_EXTENSIONS: text = ""; break;
+        case RT_EXTENSIONS: text = kExtensions; break;
         case RT_ISA: text = kernels().name; break;
         case RT_ISA_NAMES: text = instructionSets(); break;
         case RT_SHADER_FOLDERS: text = shaderFoldersText(); break;

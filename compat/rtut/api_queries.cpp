@@ -115,7 +115,11 @@ RTAPI int RTAPIENTRY rtutLayerGet(RTenum query) {
 }
 
 RTAPI int RTAPIENTRY rtutGetModifiers(void) { return startedApp().modifiers(); }
-RTAPI int RTAPIENTRY rtutExtensionSupported(const char*) { return 0; }
+RTAPI int RTAPIENTRY rtutExtensionSupported(const char* extension) {
+    if (!rtGetCurrentContext()) return 0;
+    return rtuCheckExtension(reinterpret_cast<const RTubyte*>(extension),
+                             rtGetString(RT_EXTENSIONS));
+}
 
 RTAPI void RTAPIENTRY rtutReportErrors(void) {
     if (!rtGetCurrentContext()) return;

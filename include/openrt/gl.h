@@ -78,8 +78,8 @@ typedef RTfloat GLfloat;
 typedef RTclampf GLclampf;
 typedef RTdouble GLdouble;
 typedef RTclampd GLclampd;
-typedef RTintptr GLintptr;
-typedef RTsizeiptr GLsizeiptr;
+typedef RTintptr GLintptr, GLintptrARB;
+typedef RTsizeiptr GLsizeiptr, GLsizeiptrARB;
 
 typedef RTUquadric GLUquadric;
 typedef RTUquadricObj GLUquadricObj;

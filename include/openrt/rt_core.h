@@ -79,9 +79,10 @@ RTAPI void RTAPIENTRY rtErrorCallback(void(RTAPIENTRY *cb)(RTenum code, const ch
                                       void *user);
 
 /* Text about the library: RT_VERSION (that of OpenGL that its calls follow, and its own),
- * RT_VENDOR, RT_RENDERER, RT_EXTENSIONS (none), RT_ISA (the instruction set that
- * the kernels use: generic, sse4, avx2, avx512 or neon), RT_ISA_NAMES (those that library and
- * machine have, best first, with spaces between), RT_SHADER_FOLDERS (where shader libraries are
+ * RT_VENDOR, RT_RENDERER, RT_EXTENSIONS (OpenGL's, with spaces between: those that became part of
+ * it by 1.5 and work whole; gl.h has their names), RT_ISA (the instruction set that the kernels
+ * use: generic, sse4, avx2, avx512 or neon), RT_ISA_NAMES (those that library and machine have,
+ * best first, with spaces between), RT_SHADER_FOLDERS (where shader libraries are
  * looked for, with colons between). Lives as long as the library, RT_SHADER_FOLDERS until it is
  * asked for again on the thread; NULL on error.
  * Errors:  RT_INVALID_ENUM  another name

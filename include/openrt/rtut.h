@@ -149,7 +149,7 @@ RTAPI int RTAPIENTRY rtutDeviceGet(RTenum query);
 RTAPI int RTAPIENTRY rtutLayerGet(RTenum query);
 /* Of the event whose callback is running; 0 elsewhere. Since: 0.1 */
 RTAPI int RTAPIENTRY rtutGetModifiers(void);
-/* 0: there are no extensions. Since: 0.1 */
+/* Whether RT_EXTENSIONS (rtGetString) of the current context names it. Since: 0.1 */
 RTAPI int RTAPIENTRY rtutExtensionSupported(const char *extension);
 /* Prints the errors of rtGetError on stderr. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutReportErrors(void);

@@ -4,11 +4,16 @@
 #include <string.h>
 
 #include "check.h"
+#include "openrt/rtu.h"
 
 static RTint get(RTenum name) {
     RTint value = -1;
     rtGetIntegerv(name, &value);
     return value;
+}
+
+static RTboolean hasExtension(const char *name) {
+    return rtuCheckExtension((const RTubyte *)name, rtGetString(RT_EXTENSIONS));
 }
 
 int main(void) {
@@ -61,6 +66,8 @@ int main(void) {
     CHECK_ERROR(RT_NO_ERROR);
     CHECK(strlen((const char *)rtGetString(RT_VENDOR)) > 0);
     CHECK(strlen((const char *)rtGetString(RT_RENDERER)) > 0);
+    CHECK(hasExtension("GL_ARB_vertex_buffer_object") && hasExtension("GL_SGIS_texture_lod"));
+    CHECK(!hasExtension("GL_ARB_vertex") && !hasExtension("GL_ARB_texture_cube_map"));
     CHECK(strcmp((const char *)rtGetString(RT_VERSION), "1.5 OpenRT " OPENRT_VERSION_STRING) == 0);
     rtExit();
     return failureCount;

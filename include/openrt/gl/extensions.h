@@ -62,6 +62,12 @@
 #define GL_TEXTURE_RESIDENT_EXT 0x8067
 #define GL_TEXTURE_1D_BINDING_EXT 0x8068
 #define GL_TEXTURE_2D_BINDING_EXT 0x8069
+#define glAreTexturesResidentEXT rtAreTexturesResident
+#define glBindTextureEXT rtBindTexture
+#define glDeleteTexturesEXT rtDeleteTextures
+#define glGenTexturesEXT rtGenTextures
+#define glIsTextureEXT rtIsTexture
+#define glPrioritizeTexturesEXT rtPrioritizeTextures
 
 /* EXT_texture_edge_clamp */
 #define GL_CLAMP_TO_EDGE_EXT 0x812F
@@ -288,12 +294,14 @@
 #define GL_CONSTANT_ALPHA_EXT 0x8003
 #define GL_ONE_MINUS_CONSTANT_ALPHA_EXT 0x8004
 #define GL_BLEND_COLOR_EXT 0x8005
+#define glBlendColorEXT rtBlendColor
 
 /* EXT_blend_minmax */
 #define GL_FUNC_ADD_EXT 0x8006
 #define GL_MIN_EXT 0x8007
 #define GL_MAX_EXT 0x8008
 #define GL_BLEND_EQUATION_EXT 0x8009
+#define glBlendEquationEXT rtBlendEquation
 
 /* EXT_blend_subtract */
 #define GL_FUNC_SUBTRACT_EXT 0x800A
@@ -304,6 +312,7 @@
 #define GL_BLEND_SRC_RGB_EXT 0x80C9
 #define GL_BLEND_DST_ALPHA_EXT 0x80CA
 #define GL_BLEND_SRC_ALPHA_EXT 0x80CB
+#define glBlendFuncSeparateEXT rtBlendFuncSeparate
 
 /* EXT_rescale_normal */
 #define GL_RESCALE_NORMAL_EXT 0x803A
@@ -321,6 +330,23 @@
 #define GL_SECONDARY_COLOR_ARRAY_TYPE_EXT 0x845B
 #define GL_SECONDARY_COLOR_ARRAY_STRIDE_EXT 0x845C
 #define GL_SECONDARY_COLOR_ARRAY_POINTER_EXT 0x845D
+#define glSecondaryColor3bEXT rtSecondaryColor3b
+#define glSecondaryColor3bvEXT rtSecondaryColor3bv
+#define glSecondaryColor3dEXT rtSecondaryColor3d
+#define glSecondaryColor3dvEXT rtSecondaryColor3dv
+#define glSecondaryColor3fEXT rtSecondaryColor3f
+#define glSecondaryColor3fvEXT rtSecondaryColor3fv
+#define glSecondaryColor3iEXT rtSecondaryColor3i
+#define glSecondaryColor3ivEXT rtSecondaryColor3iv
+#define glSecondaryColor3sEXT rtSecondaryColor3s
+#define glSecondaryColor3svEXT rtSecondaryColor3sv
+#define glSecondaryColor3ubEXT rtSecondaryColor3ub
+#define glSecondaryColor3ubvEXT rtSecondaryColor3ubv
+#define glSecondaryColor3uiEXT rtSecondaryColor3ui
+#define glSecondaryColor3uivEXT rtSecondaryColor3uiv
+#define glSecondaryColor3usEXT rtSecondaryColor3us
+#define glSecondaryColor3usvEXT rtSecondaryColor3usv
+#define glSecondaryColorPointerEXT rtSecondaryColorPointer
 
 /* EXT_fog_coord */
 #define GL_FOG_COORDINATE_SOURCE_EXT 0x8450
@@ -331,6 +357,11 @@
 #define GL_FOG_COORDINATE_ARRAY_TYPE_EXT 0x8454
 #define GL_FOG_COORDINATE_ARRAY_STRIDE_EXT 0x8455
 #define GL_FOG_COORDINATE_ARRAY_POINTER_EXT 0x8456
+#define glFogCoordfEXT rtFogCoordf
+#define glFogCoordfvEXT rtFogCoordfv
+#define glFogCoorddEXT rtFogCoordd
+#define glFogCoorddvEXT rtFogCoorddv
+#define glFogCoordPointerEXT rtFogCoordPointer
 
 /* EXT_polygon_offset */
 #define GL_POLYGON_OFFSET_EXT 0x8037
@@ -343,6 +374,7 @@
 /* EXT_draw_range_elements */
 #define GL_MAX_ELEMENTS_VERTICES_EXT 0x80E8
 #define GL_MAX_ELEMENTS_INDICES_EXT 0x80E9
+#define glDrawRangeElementsEXT rtDrawRangeElements
 
 /* ARB_multisample */
 #define GL_MULTISAMPLE_ARB 0x809D
@@ -354,20 +386,159 @@
 #define GL_SAMPLE_COVERAGE_VALUE_ARB 0x80AA
 #define GL_SAMPLE_COVERAGE_INVERT_ARB 0x80AB
 #define GL_MULTISAMPLE_BIT_ARB 0x20000000
+#define glSampleCoverageARB rtSampleCoverage
 
 /* ARB_point_parameters */
 #define GL_POINT_SIZE_MIN_ARB 0x8126
 #define GL_POINT_SIZE_MAX_ARB 0x8127
 #define GL_POINT_FADE_THRESHOLD_SIZE_ARB 0x8128
 #define GL_POINT_DISTANCE_ATTENUATION_ARB 0x8129
+#define glPointParameterfARB rtPointParameterf
+#define glPointParameterfvARB rtPointParameterfv
 
 /* EXT_point_parameters */
 #define GL_POINT_SIZE_MIN_EXT 0x8126
 #define GL_POINT_SIZE_MAX_EXT 0x8127
 #define GL_POINT_FADE_THRESHOLD_SIZE_EXT 0x8128
 #define GL_DISTANCE_ATTENUATION_EXT 0x8129
+#define glPointParameterfEXT rtPointParameterf
+#define glPointParameterfvEXT rtPointParameterfv
 
 /* ARB_vertex_program */
 #define GL_COLOR_SUM_ARB 0x8458
+
+/* ARB_transpose_matrix */
+#define GL_TRANSPOSE_MODELVIEW_MATRIX_ARB 0x84E3
+#define GL_TRANSPOSE_PROJECTION_MATRIX_ARB 0x84E4
+#define GL_TRANSPOSE_TEXTURE_MATRIX_ARB 0x84E5
+#define GL_TRANSPOSE_COLOR_MATRIX_ARB 0x84E6
+#define glLoadTransposeMatrixfARB rtLoadTransposeMatrixf
+#define glLoadTransposeMatrixdARB rtLoadTransposeMatrixd
+#define glMultTransposeMatrixfARB rtMultTransposeMatrixf
+#define glMultTransposeMatrixdARB rtMultTransposeMatrixd
+
+/* ARB_vertex_buffer_object */
+#define GL_BUFFER_SIZE_ARB 0x8764
+#define GL_BUFFER_USAGE_ARB 0x8765
+#define GL_ARRAY_BUFFER_ARB 0x8892
+#define GL_ELEMENT_ARRAY_BUFFER_ARB 0x8893
+#define GL_ARRAY_BUFFER_BINDING_ARB 0x8894
+#define GL_ELEMENT_ARRAY_BUFFER_BINDING_ARB 0x8895
+#define GL_VERTEX_ARRAY_BUFFER_BINDING_ARB 0x8896
+#define GL_NORMAL_ARRAY_BUFFER_BINDING_ARB 0x8897
+#define GL_COLOR_ARRAY_BUFFER_BINDING_ARB 0x8898
+#define GL_INDEX_ARRAY_BUFFER_BINDING_ARB 0x8899
+#define GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING_ARB 0x889A
+#define GL_EDGE_FLAG_ARRAY_BUFFER_BINDING_ARB 0x889B
+#define GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING_ARB 0x889C
+#define GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING_ARB 0x889D
+#define GL_WEIGHT_ARRAY_BUFFER_BINDING_ARB 0x889E
+#define GL_READ_ONLY_ARB 0x88B8
+#define GL_WRITE_ONLY_ARB 0x88B9
+#define GL_READ_WRITE_ARB 0x88BA
+#define GL_BUFFER_ACCESS_ARB 0x88BB
+#define GL_BUFFER_MAPPED_ARB 0x88BC
+#define GL_BUFFER_MAP_POINTER_ARB 0x88BD
+#define GL_STREAM_DRAW_ARB 0x88E0
+#define GL_STREAM_READ_ARB 0x88E1
+#define GL_STREAM_COPY_ARB 0x88E2
+#define GL_STATIC_DRAW_ARB 0x88E4
+#define GL_STATIC_READ_ARB 0x88E5
+#define GL_STATIC_COPY_ARB 0x88E6
+#define GL_DYNAMIC_DRAW_ARB 0x88E8
+#define GL_DYNAMIC_READ_ARB 0x88E9
+#define GL_DYNAMIC_COPY_ARB 0x88EA
+#define glBindBufferARB rtBindBuffer
+#define glDeleteBuffersARB rtDeleteBuffers
+#define glGenBuffersARB rtGenBuffers
+#define glIsBufferARB rtIsBuffer
+#define glBufferDataARB rtBufferData
+#define glBufferSubDataARB rtBufferSubData
+#define glGetBufferSubDataARB rtGetBufferSubData
+#define glMapBufferARB rtMapBuffer
+#define glUnmapBufferARB rtUnmapBuffer
+#define glGetBufferParameterivARB rtGetBufferParameteriv
+#define glGetBufferPointervARB rtGetBufferPointerv
+
+/* ARB_window_pos */
+#define glWindowPos2dARB rtWindowPos2d
+#define glWindowPos2dvARB rtWindowPos2dv
+#define glWindowPos2fARB rtWindowPos2f
+#define glWindowPos2fvARB rtWindowPos2fv
+#define glWindowPos2iARB rtWindowPos2i
+#define glWindowPos2ivARB rtWindowPos2iv
+#define glWindowPos2sARB rtWindowPos2s
+#define glWindowPos2svARB rtWindowPos2sv
+#define glWindowPos3dARB rtWindowPos3d
+#define glWindowPos3dvARB rtWindowPos3dv
+#define glWindowPos3fARB rtWindowPos3f
+#define glWindowPos3fvARB rtWindowPos3fv
+#define glWindowPos3iARB rtWindowPos3i
+#define glWindowPos3ivARB rtWindowPos3iv
+#define glWindowPos3sARB rtWindowPos3s
+#define glWindowPos3svARB rtWindowPos3sv
+
+/* EXT_copy_texture */
+#define glCopyTexImage1DEXT rtCopyTexImage1D
+#define glCopyTexImage2DEXT rtCopyTexImage2D
+#define glCopyTexSubImage1DEXT rtCopyTexSubImage1D
+#define glCopyTexSubImage2DEXT rtCopyTexSubImage2D
+
+/* EXT_multi_draw_arrays */
+#define glMultiDrawArraysEXT rtMultiDrawArrays
+#define glMultiDrawElementsEXT rtMultiDrawElements
+
+/* EXT_subtexture */
+#define glTexSubImage1DEXT rtTexSubImage1D
+#define glTexSubImage2DEXT rtTexSubImage2D
+
+/* EXT_vertex_array */
+#define GL_VERTEX_ARRAY_EXT 0x8074
+#define GL_NORMAL_ARRAY_EXT 0x8075
+#define GL_COLOR_ARRAY_EXT 0x8076
+#define GL_INDEX_ARRAY_EXT 0x8077
+#define GL_TEXTURE_COORD_ARRAY_EXT 0x8078
+#define GL_EDGE_FLAG_ARRAY_EXT 0x8079
+#define GL_VERTEX_ARRAY_SIZE_EXT 0x807A
+#define GL_VERTEX_ARRAY_TYPE_EXT 0x807B
+#define GL_VERTEX_ARRAY_STRIDE_EXT 0x807C
+#define GL_NORMAL_ARRAY_TYPE_EXT 0x807E
+#define GL_NORMAL_ARRAY_STRIDE_EXT 0x807F
+#define GL_COLOR_ARRAY_SIZE_EXT 0x8081
+#define GL_COLOR_ARRAY_TYPE_EXT 0x8082
+#define GL_COLOR_ARRAY_STRIDE_EXT 0x8083
+#define GL_INDEX_ARRAY_TYPE_EXT 0x8085
+#define GL_INDEX_ARRAY_STRIDE_EXT 0x8086
+#define GL_TEXTURE_COORD_ARRAY_SIZE_EXT 0x8088
+#define GL_TEXTURE_COORD_ARRAY_TYPE_EXT 0x8089
+#define GL_TEXTURE_COORD_ARRAY_STRIDE_EXT 0x808A
+#define GL_EDGE_FLAG_ARRAY_STRIDE_EXT 0x808C
+#define GL_VERTEX_ARRAY_POINTER_EXT 0x808E
+#define GL_NORMAL_ARRAY_POINTER_EXT 0x808F
+#define GL_COLOR_ARRAY_POINTER_EXT 0x8090
+#define GL_INDEX_ARRAY_POINTER_EXT 0x8091
+#define GL_TEXTURE_COORD_ARRAY_POINTER_EXT 0x8092
+#define GL_EDGE_FLAG_ARRAY_POINTER_EXT 0x8093
+#define glArrayElementEXT rtArrayElement
+#define glDrawArraysEXT rtDrawArrays
+#define glGetPointervEXT rtGetPointerv
+
+/* MESA_window_pos */
+#define glWindowPos2dMESA rtWindowPos2d
+#define glWindowPos2dvMESA rtWindowPos2dv
+#define glWindowPos2fMESA rtWindowPos2f
+#define glWindowPos2fvMESA rtWindowPos2fv
+#define glWindowPos2iMESA rtWindowPos2i
+#define glWindowPos2ivMESA rtWindowPos2iv
+#define glWindowPos2sMESA rtWindowPos2s
+#define glWindowPos2svMESA rtWindowPos2sv
+#define glWindowPos3dMESA rtWindowPos3d
+#define glWindowPos3dvMESA rtWindowPos3dv
+#define glWindowPos3fMESA rtWindowPos3f
+#define glWindowPos3fvMESA rtWindowPos3fv
+#define glWindowPos3iMESA rtWindowPos3i
+#define glWindowPos3ivMESA rtWindowPos3iv
+#define glWindowPos3sMESA rtWindowPos3s
+#define glWindowPos3svMESA rtWindowPos3sv
 
 #endif
