@@ -24,6 +24,7 @@
 #    define STB_IMAGE_IMPLEMENTATION
 #    define STBI_ONLY_JPEG
 #    define STBI_NO_STDIO
+#    define STBI_ASSERT(condition) // on what files hold, which must not end a program
 #    pragma GCC diagnostic push
 #    pragma GCC diagnostic ignored "-Wunused-function"
 #    include <stb/stb_image.h>
