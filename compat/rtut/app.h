@@ -10,6 +10,7 @@
 #include "compat/rtut/messages.h"
 #include "compat/rtut/options.h"
 #include "compat/rtut/window.h"
+#include "openrt/rtut.h"
 
 namespace rtut {
 
@@ -49,7 +50,7 @@ public:
     int modifiers() const { return modifiers_; }
     void setModifiers(int modifiers) { modifiers_ = modifiers; }
 
-    unsigned displayMode = 0;
+    unsigned displayMode = RTUT_RGBA | RTUT_SINGLE | RTUT_DEPTH;
     Size initialSize{300, 300};
     Place initialPlace{-1, -1};
     void (*idle)() = nullptr;
