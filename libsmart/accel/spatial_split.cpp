@@ -8,9 +8,48 @@
 namespace smart {
 namespace {
 
-Float4 corner(TriangleVertices triangle, int i) {
-    return Float4{triangle[3 * i], triangle[3 * i + 1], triangle[3 * i + 2], 0.0f};
-}
+/// A triangle to be cut by planes across an axis. What is asked of its three corners or edges is
+/// asked of all, without branches: where planes cut triangles no predictor can learn.
+class CutTriangle {
+public:
+    CutTriangle(TriangleVertices v, int axis)
+        : corner_{{v[0], v[1], v[2], 0.0f}, {v[3], v[4], v[5], 0.0f}, {v[6], v[7], v[8], 0.0f}},
+          along_{v[axis], v[3 + axis], v[6 + axis], 0.0f} {
+        const Float4 next{along_[1], along_[2], along_[0], 0.0f};
+        const Float4 inverse = allOf(1.0f) / (next - along_);
+        for (int i = 0; i < 3; ++i)
+            step_[i] = (corner_[(i + 1) % 3] - corner_[i]) * allOf(inverse[i]);
+        low_ = lesserOf(along_, next);
+        high_ = greaterOf(along_, next);
+    }
+    /// Where the corners are along the axis.
+    Float4 along() const { return along_; }
+    /// Box of some of the corners.
+    Box4 corners(Int4 chosen) const {
+        Box4 box;
+        for (int i = 0; i < 3; ++i) addIf(chosen[i], corner_[i], box);
+        return box;
+    }
+    /// Box of the edges' points in a plane.
+    Box4 at(float plane) const {
+        const Float4 there = allOf(plane), far = there - along_;
+        const Int4 meets = (low_ < there) & (there < high_);
+        Box4 box;
+        for (int i = 0; i < 3; ++i) addIf(meets[i], corner_[i] + step_[i] * allOf(far[i]), box);
+        return box;
+    }
+
+private:
+    static void addIf(int32_t condition, Float4 point, Box4& box) {
+        const Int4 all{condition, condition, condition, condition};
+        box.add({all ? point : allOf(Aabb::kInf), all ? point : allOf(-Aabb::kInf)});
+    }
+
+    Float4 corner_[3];
+    Float4 along_;
+    Float4 step_[3];    ///< along each edge, for a step of 1 along the axis
+    Float4 low_, high_; ///< ends of the edges, along the axis
+};
 
 Box4 common(const Box4& a, const Box4& b) {
     return {greaterOf(a.lo, b.lo), lesserOf(a.hi, b.hi)};
@@ -53,28 +92,19 @@ void SpatialBins::add(std::span<const BoxReference> references, TriangleVertices
 /// The parts' boxes only weigh planes against each other: they need not be conservative.
 void SpatialBins::addParts(const BoxReference& reference, TriangleVertices vertices,
                            const SpacePlanes& planes, int axis, int first, int last) {
-    Box4 parts[kBins];
+    const CutTriangle triangle(vertices, axis);
     const float begin = reference.lo[axis], end = reference.hi[axis];
-    for (int i = 0; i < 3; ++i) {
-        const Float4 a = corner(vertices, i), b = corner(vertices, (i + 1) % 3);
-        if (begin <= a[axis] && a[axis] <= end) parts[planes.binsOf(a)[axis]].add(a);
-        const float low = std::min(a[axis], b[axis]), high = std::max(a[axis], b[axis]);
-        if (!(low < high)) continue;
-        const Float4 step = (b - a) * allOf(1.0f / (b[axis] - a[axis]));
-        const auto crossing = [&](float plane) { return a + step * allOf(plane - a[axis]); };
-        if (low < begin && begin < high) parts[first].add(crossing(begin));
-        if (low < end && end < high) parts[last].add(crossing(end));
-        const int firstPlane = low > begin ? planes.binsOf(allOf(low))[axis] + 1 : first + 1;
-        const int lastPlane = high < end ? planes.binsOf(allOf(high))[axis] : last;
-        for (int k = firstPlane; k <= lastPlane; ++k) {
-            const Float4 point = crossing(planes.plane(axis, k));
-            parts[k - 1].add(point);
-            parts[k].add(point);
-        }
-    }
+    const Int4 inside = (triangle.along() >= allOf(begin)) & (triangle.along() <= allOf(end));
+    const Int4 bins = planes.binsOf(triangle.along(), axis) | ~inside; // -1 for those outside
+    Box4 lower = triangle.at(begin);
     for (int k = first; k <= last; ++k) {
-        const Box4 part = common(parts[k], reference);
+        const Box4 upper = triangle.at(k < last ? planes.plane(axis, k + 1) : end);
+        Box4 part = triangle.corners(bins == Int4{k, k, k, k});
+        part.add(lower);
+        part.add(upper);
+        part = common(part, reference);
         if (!part.empty()) boxes_[axis][k].add(part);
+        lower = upper;
     }
 }
 

@@ -22,12 +22,17 @@ public:
     bool divides(int axis) const { return scale_[axis] > 0; }
     float plane(int axis, int i) const { return low_[axis] + width_[axis] * float(i); }
     /// Bin of each coordinate.
-    Int4 binsOf(Float4 point) const {
-        const Float4 place = (point - low_) * scale_;
-        return toIntegers(greaterOf(lesserOf(place, allOf(float(bins_ - 1))), allOf(0.0f)));
+    Int4 binsOf(Float4 point) const { return binsAt((point - low_) * scale_); }
+    /// Bin of four coordinates of one axis.
+    Int4 binsOf(Float4 along, int axis) const {
+        return binsAt((along - allOf(low_[axis])) * allOf(scale_[axis]));
     }
 
 private:
+    Int4 binsAt(Float4 place) const {
+        return toIntegers(greaterOf(lesserOf(place, allOf(float(bins_ - 1))), allOf(0.0f)));
+    }
+
     Float4 low_, width_, scale_;
     int bins_;
 };

@@ -87,7 +87,8 @@ private:
         const auto put = [&](uint32_t slot, uint32_t meeting) HWY_ATTR {
             const uint32_t child = node.child[slot];
             const int some = meeting != 0, isLeaf = int(child >> 31);
-            nodes_[top] = waiting_[leaves] = {child, meeting};
+            nodes_[top].child = waiting_[leaves].child = child; // word by word: see traverseWide
+            nodes_[top].lanes = waiting_[leaves].lanes = meeting;
             top += some & (isLeaf ^ 1);
             leaves += some & isLeaf;
             packet_.prefetch(child);

@@ -38,7 +38,7 @@ public:
     void run() {
         open(0, packet_.packet.lanes);
         while (top_ > 0) {
-            const Entry entry = stack_[--top_];
+            const Entry& entry = stack_[--top_];
             const uint32_t lanes = awaits(entry);
             if (!lanes) continue;
             if (entry.child & kWideLeaf)

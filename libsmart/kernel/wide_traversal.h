@@ -134,8 +134,10 @@ void traverseWideUnordered(const WideNode* nodes, const Beam& beam, State& state
             const int slot = lowestBit(rest);
             const uint32_t child = node.child[slot];
             const uint64_t met = rays & raysThatMeet(beam, seen, slot, state);
-            // Without a branch: stored in any case, and counted where it is to stay.
-            stack[top] = leaves[count] = {met, child};
+            // Without a branch: stored in any case, and counted where it is to stay. Word by word:
+            // what was stored so would be waited for to be copied whole.
+            stack[top].rays = leaves[count].rays = met;
+            stack[top].child = leaves[count].child = child;
             const int leaf = int(child >> 31), stays = met != 0;
             state.prefetch(stays ? child : entry.child); // or what is near anyway
             top += stays & ~leaf;
