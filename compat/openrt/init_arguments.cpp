@@ -56,7 +56,7 @@ const char* apply(InitOptions& options, std::string_view name, const char* value
     } else if (name == "--rt-size") {
         if (!isSize(value)) return "not a size, as in 640x480";
         return "needs a program with an rtut window";
-    } else { // --rt-output
+    } else { // --rt-output, --rt-depth
         return "needs a program with an rtut window";
     }
     return nullptr;
@@ -64,7 +64,7 @@ const char* apply(InitOptions& options, std::string_view name, const char* value
 
 bool takesValue(std::string_view name) {
     for (const char* known : {"--rt-threads", "--rt-isa", "--rt-precision", "--rt-samples",
-                              "--rt-offscreen", "--rt-output", "--rt-size"})
+                              "--rt-offscreen", "--rt-output", "--rt-depth", "--rt-size"})
         if (name == known) return true;
     return false;
 }

@@ -36,16 +36,16 @@
  *   RT_INVALID. The first error stays until rtGetError reads it. Without a current context every
  *   call does nothing and rtGetError returns RT_INVALID_OPERATION. Memory that runs out is
  *   RT_OUT_OF_MEMORY, and the call has no other effect.
- * Places. Between rtBegin and rtEnd only rtVertex, rtColor, rtNormal, rtTexCoord and rtParameter
- *   calls are legal; any other records RT_INVALID_OPERATION there. "Not in an object" means that
- *   the call records RT_INVALID_OPERATION between rtNewObject and rtEndObject too.
+ * Places. Between rtBegin and rtEnd only rtVertex, rtColor, rtSecondaryColor, rtFogCoord, rtNormal,
+ *   rtTexCoord, rtMultiTexCoord, rtEdgeFlag, rtMaterial, rtParameter, rtArrayElement and rtCallList
+ *   calls are legal, and what says so; any other records RT_INVALID_OPERATION there. "Not in an
+ *   object" means that the call records it between rtNewObject and rtEndObject too.
  * Threads. "The context's" is the thread on which the context is current (rtMakeCurrent).
  *   Different contexts may be used by different threads at once.
  * Ids start at 1; 0 names a default. Ids of one context mean nothing in another.
  * Angles are in degrees. Matrices are column-major: m[12], m[13], m[14] is the translation.
- * Frame rule. Instances, lights, camera, environment, rendering object and loose geometry are
- *   given anew for every frame. Objects, shaders, classes, textures, parameter values, the frame
- *   buffer and all other state last.
+ * Frame rule. Instances, lights, camera, environment, rendering object and loose geometry are given
+ *   anew for every frame. Objects, shaders, textures, the frame buffer and all other state last.
  */
 #ifndef OPENRT_RT_H
 #define OPENRT_RT_H

@@ -21,10 +21,10 @@ extern "C" {
  * the default context of the first. Both pointers may be NULL; otherwise the arguments below are
  * taken out of argv, and *argcp is lowered:
  *   --rt-threads N        threads that render, 0 = all cores (environment: OPENRT_THREADS)
- *   --rt-isa NAME         generic, sse4, avx2, avx512 (environment: OPENRT_ISA)
+ *   --rt-isa NAME         generic, sse4, avx2, avx512, neon (environment: OPENRT_ISA)
  *   --rt-precision NAME   fast, watertight or precise
  *   --rt-samples N        as rtSamples
- *   --rt-offscreen N  --rt-output PATTERN  --rt-size WxH   for programs with rtut windows
+ *   --rt-offscreen N  --rt-size WxH  --rt-output PATTERN  --rt-depth PATTERN   for rtut windows
  * A bad value prints one line on stderr and is ignored. The environment variable OPENRT_LOG, a
  * file's name or `stderr`, gets a line for every error that any context records; OPENRT_TRACE names
  * a new file that gets all calls (openrt-trace); set-uid programs ignore all of these variables.
@@ -96,9 +96,9 @@ RTAPI const RTubyte *RTAPIENTRY rtGetString(RTenum name);
 RTAPI void RTAPIENTRY rtThreads(RTuint n);
 
 /* rtHint(RT_PRECISION_HINT, mode): how exact intersections are; read when a frame is started or
- * a scene compiled. RT_FASTEST: edges between triangles may let rays through. RT_DONT_CARE
- * (start): watertight. RT_NICEST: precise, the nearest hit that exact arithmetic finds for the
- * numbers as given. OpenGL's own hints are kept and have no effect. Not in an object.
+ * a scene compiled. RT_FASTEST: edges between triangles may let rays through, rarely for more
+ * speed. RT_DONT_CARE (start): watertight. RT_NICEST: precise, the nearest hit that exact arithmetic
+ * finds for the numbers as given. OpenGL's own hints are kept without effect. Not in an object.
  * Errors:  RT_INVALID_ENUM  target or mode is no such token
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtHint(RTenum target, RTenum mode);

@@ -143,7 +143,7 @@ RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const
  * the frames started since its last build had more than some eight rays a triangle. Hits do
  * not depend on any of this. After rtUpdateObject the tree of boxes of before is fitted to the new
  * positions (Lauterbach and others, 2006) until rays would take half as long again as in a new one;
- * there is no kd-tree then. Primitives outside objects get the fast tree.
+ * there is no kd-tree then. Primitives outside objects get the fast tree, and a better one once they stay.
  * RT_LAZY_BUILD builds when the first ray reaches an instance of the object: objects that no ray
  * reaches have no tree. Threads that come meanwhile wait. If memory runs out then, the frame fails
  * with RT_OUT_OF_MEMORY; the next frame tries again.

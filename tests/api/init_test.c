@@ -35,8 +35,8 @@ int main(void) {
         char *argv[] = {"program",    "--rt-threads", "many",       "--rt-samples",   "0",
                         "--rt-isa",   "z80",          "--rt-size",  "wide",           "--rt-precision",
                         "exact",      "--rt-offscreen", "3",        "--rt-output",    "a%d.png",
-                        "--rt-threads", NULL};
-        int argc = 16;
+                        "--rt-depth", "d%d.pfm",      "--rt-threads", NULL};
+        int argc = 18;
         rtInit(&argc, argv);
         CHECK(argc == 1 && argv[1] == NULL);
         CHECK(get(RT_SAMPLES) == 1);
