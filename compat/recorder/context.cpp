@@ -128,6 +128,12 @@ ContextId currentContextId() noexcept {
     return currentContext() ? holder.id : 0;
 }
 
+bool isContext(ContextId id) noexcept {
+    ContextTable& contexts = tableAsItIs();
+    const std::lock_guard lock(contexts.mutex);
+    return contexts.entries.contains(id);
+}
+
 std::shared_ptr<Context> currentContextShared() noexcept {
     return currentContext() ? holder.entry.context : nullptr;
 }

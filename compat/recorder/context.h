@@ -54,6 +54,8 @@ const char* whyUnusable() noexcept;
 /// The context current on the calling thread; nullptr: none.
 Context* currentContext() noexcept;
 ContextId currentContextId() noexcept;
+/// False: it was destroyed, or never made.
+bool isContext(ContextId id) noexcept;
 /// The same, kept alive by the result.
 std::shared_ptr<Context> currentContextShared() noexcept;
 

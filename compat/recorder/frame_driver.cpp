@@ -45,7 +45,6 @@ QueuedFramePtr FrameDriver::submit(const PixelTarget& target, uint32_t* id) {
 
 void FrameDriver::waitedFor(const QueuedFrame& frame) {
     frameStatistics_ = frame.statistics();
-    isLastDone_ = frame.status() == FrameStatus::Done;
     countRays();
 }
 
@@ -67,7 +66,7 @@ QueuedFramePtr FrameDriver::submit(const std::shared_ptr<Frame>& frame, uint32_t
     if (id) *id = number;
     sceneStatistics_ = sceneStatistics;
     last_ = target;
-    ++submissions_;
+    lastId_ = number;
     viewed_ = frame->camera ? frame : nullptr;
     renderer_.submit(queued);
     countRays();

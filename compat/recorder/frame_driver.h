@@ -40,10 +40,10 @@ public:
     uint32_t queueView();
     /// A frame was waited for: from now on the statistics are its own.
     void waitedFor(const QueuedFrame& frame);
-    /// Whether the frame waited for last has all its pixels.
-    bool isLastDone() const { return isLastDone_; }
-    /// How many frames were queued so far, and where the last of them goes to.
-    uint64_t submissions() const { return submissions_; }
+    /// Whether a frame of start() is yet to be ended.
+    bool hasStarted() const { return inFlight_ != nullptr; }
+    /// The id of the frame submitted last, 0 before the first; and where it goes to.
+    uint32_t latestFrame() const { return lastId_; }
     const PixelTarget& latestTarget() const { return last_; }
 
     /// How many frames may be incomplete; 2 at the start.
@@ -86,8 +86,7 @@ private:
     std::shared_ptr<const Frame> viewed_;
     SceneStatistics sceneStatistics_;
     RenderStatistics frameStatistics_;
-    bool isLastDone_ = false;
-    uint64_t submissions_ = 0;
+    uint32_t lastId_ = 0;
 };
 
 } // namespace smart::compat

@@ -139,6 +139,7 @@ public:
     }
 
     uint64_t calls = 0, frames = 0, unequalFrames = 0, divergences = 0;
+    bool hasRendered = false;
 
 private:
     void playRecord(const RecordHead& head, std::span<const std::byte> record) {
@@ -220,6 +221,9 @@ private:
     void follow(const CallSignature& call, const PlayedArguments& arguments,
                 const PictureTargets& targets, const Pending& pending) {
         const RTcontext now = rtGetCurrentContext();
+        hasRendered |= pending.error == RT_NO_ERROR &&
+                       (call.resultMeaning == Meaning::Frame || isCall(call, "rtRender") ||
+                        isCall(call, "rtStartRendering"));
         if (call.resultMeaning == Meaning::Frame)
             frames_.queued(pending.result.as<RTuint>(), targets.keys());
         else if (isCall(call, "rtStartRendering") && pending.error == RT_NO_ERROR)
@@ -462,6 +466,9 @@ uint64_t CallPlayer::calls() const {
 }
 uint64_t CallPlayer::frames() const {
     return implementation_->frames;
+}
+bool CallPlayer::hasRendered() const {
+    return implementation_->hasRendered;
 }
 uint64_t CallPlayer::unequalFrames() const {
     return implementation_->unequalFrames;

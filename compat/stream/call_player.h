@@ -80,7 +80,9 @@ public:
     void finish();
 
     uint64_t calls() const;
-    uint64_t frames() const;
+    uint64_t frames() const; ///< that were compared
+    /// Whether calls rendered frames, be they compared or not.
+    bool hasRendered() const;
     uint64_t unequalFrames() const;
     uint64_t divergences() const;
 

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "compat/stream/call_recording.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <map>
 #include <mutex>
-#include <optional>
 
 #include "compat/openrt/frame_callback.h"
 #include "compat/openrt/guard.h"
 #include "compat/openrt/tokens.h"
 #include "compat/recorder/context.h"
-#include "compat/recorder/frame_table.h"
 #include "compat/stream/call_capture.h"
 #include "compat/stream/call_sink.h"
 #include "compat/stream/record_format.h"
+#include "compat/stream/recorded_frames.h"
 #include "compat/stream/trace_file.h"
 #include "libsmart/base/immortal.h"
 #include "libsmart/render/worker.h"
@@ -34,10 +31,7 @@ struct Recording {
     CallSink* sink = nullptr;
     RecordWriter writer;
     uint16_t threads = 0;
-    // Of frames that were not waited for yet: where they go.
-    std::map<uint32_t, PixelTarget> queued;
-    std::map<ContextId, PixelTarget> started;
-    std::map<const void*, uint32_t> latest; ///< of the queued frames that go to this memory
+    RecordedFrames frames;
 };
 
 Recording& recording() {
@@ -118,45 +112,6 @@ uint32_t contextNumber() noexcept {
     return uint32_t(currentContextId());
 }
 
-/// Where the picture lies that the call has waited for, and that nothing else is drawn over.
-std::optional<PixelTarget> endedTarget(Recording& r, Context& context, const CallSignature& call,
-                                       const CallValue* arguments, CallValue result,
-                                       uint64_t submissionsBefore) {
-    const FrameDriver& frames = context.frames();
-    const bool isNew = frames.submissions() != submissionsBefore;
-    if (call.resultMeaning == Meaning::Frame) {
-        const auto id = result.as<RTuint>();
-        if (id == RT_INVALID) return std::nullopt;
-        r.queued[id] = frames.latestTarget();
-        r.latest[frames.latestTarget().memory] = id;
-        return std::nullopt;
-    }
-    if (isCall(call, "rtStartRendering")) {
-        if (isNew) r.started[currentContextId()] = frames.latestTarget();
-        return std::nullopt;
-    }
-    if (isCall(call, "rtWaitFrame")) {
-        const auto id = arguments[0].as<RTuint>();
-        const auto found = r.queued.find(id);
-        if (found == r.queued.end()) return std::nullopt;
-        const PixelTarget target = found->second;
-        r.queued.erase(found);
-        const bool isAlone = r.latest[target.memory] == id;
-        if (isAlone) r.latest.erase(target.memory);
-        if (!isAlone || result.as<RTboolean>() != RT_TRUE) return std::nullopt;
-        return target;
-    }
-    const auto started = r.started.find(currentContextId());
-    const bool waitsForAll = isCall(call, "rtFinish") || call.kind == CallKind::Read;
-    const bool endsStarted = started != r.started.end() && !waitsForAll;
-    if (!isNew && !endsStarted) return std::nullopt;
-    const PixelTarget target = endsStarted ? started->second : frames.latestTarget();
-    if (endsStarted) r.started.erase(started);
-    const bool isAlone = waitsForAll || !r.latest.contains(target.memory);
-    if (!isAlone || !frames.isLastDone()) return std::nullopt;
-    return target;
-}
-
 } // namespace
 
 std::atomic<int> recordingState{kUnknown};
@@ -194,7 +149,7 @@ CallRecording::CallRecording(uint16_t number, const CallValue* arguments) noexce
         if (call_.kind == CallKind::Frame || call_.kind == CallKind::Read) sink.flush();
     });
     if (Context* const context = currentContext())
-        submissionsBefore_ = context->frames().submissions();
+        latestBefore_ = context->frames().latestFrame();
 }
 
 CallRecording::~CallRecording() {
@@ -208,7 +163,7 @@ void CallRecording::end(CallValue result) noexcept {
                       isCall(call_, "rtReadPixels") || isCall(call_, "rtGenTextures") ||
                       isCall(call_, "rtGenBuffers");
     if (told) recordOutcome(result);
-    if (call_.kind == CallKind::Frame || call_.kind == CallKind::Read) recordPicture(result);
+    if (call_.kind == CallKind::Frame || call_.kind == CallKind::Read) recordPictures();
 }
 
 uint64_t CallRecording::hashOfPixels() const {
@@ -246,24 +201,22 @@ void CallRecording::recordOutcome(CallValue result) const {
     });
 }
 
-void CallRecording::recordPicture(CallValue result) const {
+void CallRecording::recordPictures() const {
     withSink([&](Recording& r, CallSink& sink) {
-        Context* const context = currentContext();
-        if (!context || !sink.wantsPictures()) return;
-        const std::optional<PixelTarget> target =
-            endedTarget(r, *context, call_, arguments_, result, submissionsBefore_);
-        if (!target || !isFrameBuffer(target->memory)) return;
-        const std::size_t rowBytes = std::size_t(target->width) * bytesPerPixel(target->format);
-        const std::size_t stride = target->stride ? target->stride : rowBytes;
-        r.writer.begin(RecordKind::Picture, level_, numberOfThread(r), contextNumber());
-        r.writer.put(keyOfFrameBuffer(target->memory));
-        r.writer.put(target->width);
-        r.writer.put(target->height);
-        r.writer.put(tokenOf(target->format));
-        r.writer.put(uint64_t(stride));
-        r.writer.put(hashOfRows(static_cast<const std::byte*>(target->memory), rowBytes, stride,
-                                target->height));
-        sink.record(r.writer.end());
+        if (!sink.wantsPictures()) return;
+        for (const PixelTarget& target : r.frames.finishedBy(call_, arguments_, latestBefore_)) {
+            const std::size_t rowBytes = std::size_t(target.width) * bytesPerPixel(target.format);
+            const std::size_t stride = target.stride ? target.stride : rowBytes;
+            r.writer.begin(RecordKind::Picture, level_, numberOfThread(r), contextNumber());
+            r.writer.put(keyOfFrameBuffer(target.memory));
+            r.writer.put(target.width);
+            r.writer.put(target.height);
+            r.writer.put(tokenOf(target.format));
+            r.writer.put(uint64_t(stride));
+            r.writer.put(hashOfRows(static_cast<const std::byte*>(target.memory), rowBytes, stride,
+                                    target.height));
+            sink.record(r.writer.end());
+        }
     });
 }
 

@@ -29,13 +29,14 @@ public:
 private:
     uint64_t hashOfPixels() const;
     void recordOutcome(CallValue result) const;
-    void recordPicture(CallValue result) const;
+    void recordPictures() const;
 
     const CallSignature& call_;
     const CallValue* arguments_;
     bool isActive_ = false;
     uint8_t level_ = 0;
-    uint64_t errorsBefore_ = 0, submissionsBefore_ = 0;
+    uint64_t errorsBefore_ = 0;
+    uint32_t latestBefore_ = 0; ///< FrameDriver::latestFrame()
 };
 
 template <auto function, class... Arguments>

@@ -127,7 +127,10 @@ int replay(const TraceInput& input, Replay& policy, uint64_t until) {
     player.finish();
     std::cout << player.calls() << " calls, " << player.frames() << " frames: ";
     if (player.unequalFrames() == 0 && player.divergences() == 0) {
-        std::cout << "as recorded\n";
+        std::cout << "as recorded";
+        if (player.frames() == 0 && player.hasRendered())
+            std::cout << ", but none of the frames that were rendered was compared";
+        std::cout << '\n';
         return 0;
     }
     std::cout << player.unequalFrames() << " frames and " << player.divergences()

@@ -66,6 +66,13 @@ class Trace(unittest.TestCase):
         self.assertEqual(result.returncode, 3)
         self.assertIn("several threads", result.stderr)
 
+    def test_frames_that_nothing_waits_for_are_not_compared(self):
+        self.record(ARGUMENTS.program, "never")
+        result = self.trace("replay", self.file)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn(" 0 frames: as recorded, but none of the frames that were rendered was compared",
+                      result.stdout)
+
     def test_ports(self):
         for port in ARGUMENTS.ports:
             with self.subTest(pathlib.Path(port).name):

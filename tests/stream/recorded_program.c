@@ -229,9 +229,51 @@ static void *otherThread(void *context)
     return NULL;
 }
 
+static void *waitForFrame(void *frame)
+{
+    rtWaitFrame(*(RTuint *)frame);
+    return NULL;
+}
+
+/* Frames that go to the same memory: two are queued and waited for in a way, five follow. */
+static void sameMemory(const char *way)
+{
+    RTuint frames[2];
+    pthread_t thread;
+    rtSetFrameBuffer(pixels[0], WIDTH, HEIGHT, RT_RGBA_8);
+    view();
+    for (int i = 0; i < 2; ++i) {
+        immediate();
+        frames[i] = rtQueueFrame();
+    }
+    if (strcmp(way, "finished") == 0) rtFinish();
+    if (strcmp(way, "read") == 0) rtReadPixels(0, 0, 1, 1, RT_RGBA, RT_UNSIGNED_BYTE, pixels[1]);
+    if (strcmp(way, "forwards") == 0) rtWaitFrame(frames[0]);
+    if (strcmp(way, "forwards") == 0 || strcmp(way, "backwards") == 0) rtWaitFrame(frames[1]);
+    if (strcmp(way, "backwards") == 0) rtWaitFrame(frames[0]);
+    if (strcmp(way, "elsewhere") == 0) {
+        pthread_create(&thread, NULL, waitForFrame, &frames[1]);
+        pthread_join(thread, NULL);
+    }
+    if (strcmp(way, "another context") == 0) {
+        rtInit(NULL, NULL);
+        rtSetFrameBuffer(pixels[0], WIDTH, HEIGHT, RT_RGBA_8);
+    }
+    for (int i = 0; i < 5 && strcmp(way, "never") != 0; ++i) {
+        view();
+        immediate();
+        rtRender();
+    }
+    rtExit();
+}
+
 int main(int argc, char **argv)
 {
     rtInit(&argc, argv);
+    if (argc > 1 && strcmp(argv[1], "threads") != 0) {
+        sameMemory(argv[1]);
+        return 0;
+    }
     rtThreads(1);
     rtSetFrameBuffer(pixels[0], WIDTH, HEIGHT, RT_RGBA_8);
     rtFrameBufferStride(WIDTH * 4 + 64);

@@ -190,6 +190,26 @@ TEST(CallStream, IsPlayedWithTheSameFramesAndErrors) {
     }
 }
 
+TEST(CallStream, FramesInOneMemoryAreComparedHoweverTheyAreWaitedFor) {
+    const std::pair<const char*, unsigned> ways[] = {
+        {"finished", 6},  {"read", 6},      {"forwards", 6},        {"backwards", 6},
+        {"elsewhere", 6}, {"not at all", 5}, {"another context", 5}, {"never", 0}};
+    for (const auto& [way, frames] : ways) {
+        SCOPED_TRACE(way);
+        const std::vector<std::byte> stream = recordingOf(RECORDED_PROGRAM, way);
+        ASSERT_FALSE(stream.empty());
+        Told told;
+        CallPlayer player(&told);
+        player.play(stream);
+        player.finish();
+        EXPECT_EQ(joined(told.texts), "");
+        EXPECT_EQ(player.frames(), frames);
+        EXPECT_EQ(player.unequalFrames(), 0u);
+        EXPECT_TRUE(player.hasRendered());
+        rtExit();
+    }
+}
+
 TEST(CallStream, AnotherColourIsAnotherFrame) {
     std::vector<std::byte> stream = recordedProgram();
     unsigned changed = 0;
