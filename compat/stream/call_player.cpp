@@ -338,11 +338,11 @@ private:
             names_.forgetProcess();
             frames_ = {};
             heard_.clear();
-        } else if (isCall(call, "rtGenTextures") || isCall(call, "rtGenBuffers")) {
+        } else if (call.yield == Yield::Names) {
             const auto n = v[0].as<RTsizei>();
             const auto* const names = v[1].as<const RTuint*>();
             if (n > 0 && names) pending.names.assign(names, names + n);
-        } else if (isCall(call, "rtReadPixels") && v[6].as<void*>()) {
+        } else if (call.yield == Yield::Pixels && v[6].as<void*>()) {
             const ImageRows rows = rowsOfReadPixels(call, v, imageStores());
             pending.hash =
                 hashOfRows(v[6].as<const std::byte*>() + rows.offset, std::size_t(rows.rowBytes),

@@ -2,8 +2,8 @@
 #include "compat/stream/call_recording.h"
 
 #include <cstdio>
-#include <cstring>
 #include <exception>
+#include <limits>
 #include <mutex>
 
 #include "compat/openrt/frame_callback.h"
@@ -11,6 +11,7 @@
 #include "compat/openrt/tokens.h"
 #include "compat/recorder/context.h"
 #include "compat/stream/call_capture.h"
+#include "compat/stream/call_player.h"
 #include "compat/stream/call_sink.h"
 #include "compat/stream/record_format.h"
 #include "compat/stream/recorded_frames.h"
@@ -30,7 +31,7 @@ struct Recording {
     std::mutex mutex;
     CallSink* sink = nullptr;
     RecordWriter writer;
-    uint16_t threads = 0;
+    uint32_t threads = 0;
     RecordedFrames frames;
 };
 
@@ -43,7 +44,11 @@ thread_local int threadNumber = -1;
 thread_local uint8_t level = 0; ///< of calls that callbacks make during calls
 
 uint16_t numberOfThread(Recording& r) {
-    if (threadNumber < 0) threadNumber = r.threads++;
+    if (threadNumber < 0) {
+        if (r.threads > std::numeric_limits<uint16_t>::max())
+            throw StreamError("the program has more threads than a recording can number");
+        threadNumber = int(r.threads++);
+    }
     return uint16_t(threadNumber);
 }
 
@@ -96,10 +101,6 @@ void resolveEnvironment() noexcept {
 /// could repeat; and what a child of fork calls has no effect.
 bool isRecorded() noexcept {
     return !onWorkerThread() && !isInFrameCallback() && !whyUnusable();
-}
-
-bool isCall(const CallSignature& call, const char* name) {
-    return std::strcmp(call.name, name) == 0;
 }
 
 RTenum tokenOf(PixelFormat format) {
@@ -160,15 +161,14 @@ void CallRecording::end(CallValue result) noexcept {
     if (!isActive_) return;
     const bool told = errorsRaised().count != errorsBefore_ ||
                       call_.resultMeaning != Meaning::Plain || call_.comparesResult ||
-                      isCall(call_, "rtReadPixels") || isCall(call_, "rtGenTextures") ||
-                      isCall(call_, "rtGenBuffers");
+                      call_.yield != Yield::Nothing;
     if (told) recordOutcome(result);
     if (call_.kind == CallKind::Frame || call_.kind == CallKind::Read) recordPictures();
 }
 
 uint64_t CallRecording::hashOfPixels() const {
     Context* const context = currentContext();
-    if (!context || !isCall(call_, "rtReadPixels")) return 0;
+    if (!context || call_.yield != Yield::Pixels) return 0;
     const auto named = [&](const char* name) {
         return argumentNamed(call_, name, arguments_).value_or(0);
     };
@@ -192,9 +192,9 @@ void CallRecording::recordOutcome(CallValue result) const {
         r.writer.put(failed ? errorToken(errors.since(errorsBefore_)) : RTenum(RT_NO_ERROR));
         r.writer.put(result);
         r.writer.put(failed ? 0 : hashOfPixels());
-        const bool makesNames = isCall(call_, "rtGenTextures") || isCall(call_, "rtGenBuffers");
         const auto n = arguments_[0].as<RTsizei>();
-        const bool hasNames = makesNames && !failed && n > 0 && currentContext();
+        const bool hasNames =
+            call_.yield == Yield::Names && !failed && n > 0 && currentContext();
         r.writer.put(hasNames ? uint32_t(n) : 0u);
         if (hasNames) r.writer.putBytes(arguments_[1].as<const RTuint*>(), std::size_t(n) * 4);
         sink.record(r.writer.end());

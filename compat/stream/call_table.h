@@ -88,12 +88,16 @@ enum class CallKind : uint8_t {
     Read    ///< needs the picture so far
 };
 
+/// What a call leaves in memory of the application that a played one has to leave too.
+enum class Yield : uint8_t { Nothing, Names, Pixels };
+
 inline constexpr std::size_t kMaxParameters = 17;
 
 struct CallSignature {
     const char* name;
     uint16_t number;
     CallKind kind;
+    Yield yield;
     ValueKind result;
     Meaning resultMeaning;
     bool comparesResult; ///< of a successful call, which has to have the same

@@ -6,8 +6,9 @@ usage: generate_stream.py INCLUDE PARAMETERS OUTPUT
 
 INCLUDE is the folder of the public headers, PARAMETERS is parameters.csv: what pointers and ids of
 which functions mean. A row's function and parameter are patterns; the first row that fits counts.
-An empty parameter stands for the function itself, `return` for its result. Arrays of functions
-named like rtVertex3fv, text, and the objects of rtu.h need no row; every other pointer does.
+An empty parameter stands for the function itself, its kind and what it yields; `return` for its
+result. Arrays of functions named like rtVertex3fv, text, and the objects of rtu.h need no row;
+every other pointer does.
 
 Written into the folder OUTPUT:
   implementation_names.h  gives the library's own definitions other names for the linker, so that
@@ -209,9 +210,10 @@ def table(functions, rules):
                 f"Meaning::{meaning}, Memory::{memory}, {str(output).lower()}, {amount}, "
                 f"{counter}, {size}}},")
         kind, meaning, compared = result_entry(f, rules)
-        what = (rules.find(f.name, "") or ["state"])[0].capitalize()
+        what, gives = ((rules.find(f.name, "") or ["state"]) + ["nothing"])[:2]
         calls.append(
-            f'    {{"{f.name}", {number}, CallKind::{what}, ValueKind::{kind}, '
+            f'    {{"{f.name}", {number}, CallKind::{what.capitalize()}, '
+            f"Yield::{gives.capitalize()}, ValueKind::{kind}, "
             f"Meaning::{meaning}, {str(compared).lower()}, {first}, {len(f.parameters)}, "
             f"0x{f.fingerprint:08x}u}},")
         first += len(f.parameters)

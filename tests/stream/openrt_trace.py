@@ -66,6 +66,12 @@ class Trace(unittest.TestCase):
         self.assertEqual(result.returncode, 3)
         self.assertIn("several threads", result.stderr)
 
+    def test_more_threads_than_there_are_numbers_for_end_the_recording(self):
+        result = self.trace("record", "-o", self.file, ARGUMENTS.program, "many threads")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("the recording of calls ends: the program has more threads", result.stderr)
+        self.assertIn("threads: 65536\n", self.trace("info", self.file).stdout)
+
     def test_frames_that_nothing_waits_for_are_not_compared(self):
         self.record(ARGUMENTS.program, "never")
         result = self.trace("replay", self.file)

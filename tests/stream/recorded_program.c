@@ -267,9 +267,27 @@ static void sameMemory(const char *way)
     rtExit();
 }
 
+static void *ask(void *none)
+{
+    rtGetError();
+    return none;
+}
+
+/* More than a recording has numbers for, one after the other. */
+static void manyThreads(void)
+{
+    pthread_t thread;
+    for (int i = 0; i < 65536; ++i)
+        if (pthread_create(&thread, NULL, ask, NULL) == 0) pthread_join(thread, NULL);
+}
+
 int main(int argc, char **argv)
 {
     rtInit(&argc, argv);
+    if (argc > 1 && strcmp(argv[1], "many threads") == 0) {
+        manyThreads();
+        return 0;
+    }
     if (argc > 1 && strcmp(argv[1], "threads") != 0) {
         sameMemory(argv[1]);
         return 0;
