@@ -7,7 +7,8 @@ import re
 import subprocess
 
 import openrt
-from openrt.binding import _WITHOUT_CONTEXT, TOKENS, _library, ffi
+from openrt.binding import (_UTILITIES_WITHOUT_CONTEXT, _WITHOUT_CONTEXT, TOKENS,
+                            _library, ffi)
 
 INCLUDE = pathlib.Path(os.environ["OPENRT_INCLUDE"])
 
@@ -45,6 +46,8 @@ def test_calls_without_a_context_are_those_that_say_so():
                                     header.read_text(), flags=re.S):
             said |= set(re.findall(r"\bRTAPIENTRY\s+(rt\w+)\(", functions))
     assert said == _WITHOUT_CONTEXT
+    assert _UTILITIES_WITHOUT_CONTEXT <= set(
+        re.findall(r"\bRTAPIENTRY\s+(rtu\w+)\(", (INCLUDE / "openrt/rtu.h").read_text()))
 
 
 def test_help_tells_of_everything():

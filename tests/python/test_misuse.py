@@ -12,6 +12,7 @@ import pytest
 from openrt.binding import _library
 
 TRIANGLE = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]
+RTU_TESS_TOLERANCE, RTU_VERSION = 100142, 100800
 
 
 def on_another_thread(work):
@@ -26,11 +27,36 @@ def on_another_thread(work):
 @pytest.mark.parametrize("call", [
     lambda: openrt.mesh(TRIANGLE), lambda: openrt.instance(1), openrt.CompiledScene, openrt.version,
     lambda: openrt.Shader("Phong"), lambda: openrt.render(openrt.FrameBuffer(4, 4)),
-    lambda: openrt.queue(openrt.FrameBuffer(4, 4)), openrt.statistics])
+    lambda: openrt.queue(openrt.FrameBuffer(4, 4)), openrt.statistics, openrt.listen,
+    lambda: openrt.raw.rtuPerspective(60, 1, 1, 9),
+    lambda: openrt.raw.rtuLookAt(0, 0, 4, 0, 0, 0, 0, 1, 0),
+    lambda: openrt.raw.rtuCameraFromFov(numpy.eye(4), -1, 1, 1, -1),
+    lambda: openrt.raw.rtuSphere(openrt.raw.rtuNewQuadric(), 1, 4, 4),
+    openrt.raw.rtuNewNurbsRenderer])
 def test_without_a_context_calls_are_errors(call):
     openrt.exit()
     with pytest.raises(openrt.Error, match="no context is current"):
         call()
+
+
+def test_utilities_that_need_no_context_work_without_one():
+    openrt.exit()
+    raw = openrt.raw
+    assert openrt.ffi.string(raw.rtuGetString(RTU_VERSION)) == b"1.3"
+    where = numpy.zeros(3)
+    assert raw.rtuProject(0, 0, 0, numpy.eye(4), numpy.eye(4),
+                          numpy.array([0, 0, 8, 8], numpy.int32),
+                          where[0:1], where[1:2], where[2:3]) == 1
+    assert where.tolist() == [4, 4, 0.5]
+    tessellator = raw.rtuNewTess()
+    raw.rtuTessProperty(tessellator, RTU_TESS_TOLERANCE, 0.25)
+    raw.rtuGetTessProperty(tessellator, RTU_TESS_TOLERANCE, where[0:1])
+    assert where[0] == 0.25
+    raw.rtuDeleteTess(tessellator)
+    image, small = numpy.full((2, 4), 7, numpy.uint8), numpy.zeros((1, 4), numpy.uint8)
+    assert raw.rtuScaleImage(raw.RT_LUMINANCE, 2, 2, raw.RT_UNSIGNED_BYTE, image, 1, 1,
+                             raw.RT_UNSIGNED_BYTE, small) == 0
+    assert small[0, 0] == 7
 
 
 def test_rays_without_an_answer_are_errors():

@@ -85,11 +85,19 @@ _WITHOUT_CONTEXT = {
     "rtGetCurrentContext", "rtGetError", "rtGetErrorText", "rtWaitFrame", "rtFrameStatus",
     "rtFrameProgress", "rtCancelFrame", "rtReleaseScene", "rtIntersect", "rtIntersectStream",
     "rtOccluded", "rtOccludedStream"}
+_UTILITIES_WITHOUT_CONTEXT = {
+    "rtuErrorString", "rtuGetString", "rtuCheckExtension", "rtuProject", "rtuUnProject",
+    "rtuUnProject4", "rtuPickRay", "rtuScaleImage", "rtuNewQuadric", "rtuDeleteQuadric",
+    "rtuQuadricDrawStyle", "rtuQuadricNormals", "rtuQuadricOrientation", "rtuQuadricTexture",
+    "rtuQuadricCallback", "rtuNewTess", "rtuDeleteTess", "rtuTessCallback", "rtuTessProperty",
+    "rtuGetTessProperty", "rtuTessNormal", "rtuTessBeginPolygon", "rtuTessBeginContour",
+    "rtuTessVertex", "rtuTessEndContour", "rtuTessEndPolygon", "rtuBeginPolygon",
+    "rtuNextContour", "rtuEndPolygon"}
 
 
 def listen():
     """Makes the errors of the context current on this thread exceptions; init() does so."""
-    _library.rtErrorCallback(_on_error, ffi.NULL)
+    raw.rtErrorCallback(_on_error, None)
 
 
 _ELEMENTS = {"float": numpy.float32, "double": numpy.float64, "unsigned char": numpy.uint8,
@@ -121,7 +129,7 @@ def _wrapped(name):
     function = getattr(_library, name)
     kind = ffi.typeof(function)
     pointers = [i for i, argument in enumerate(kind.args) if argument.kind == "pointer"]
-    needs_context = name not in _WITHOUT_CONTEXT and not name.startswith("rtu")
+    needs_context = name not in _WITHOUT_CONTEXT | _UTILITIES_WITHOUT_CONTEXT
     current = _library.rtGetCurrentContext
 
     def call(*arguments):
