@@ -130,9 +130,20 @@ def test_errors_come_back_from_other_processes():
     assert (str(again), again.code) == (str(info.value), info.value.code)
 
 
-def test_an_instruction_set_that_is_none_is_an_error():
-    with pytest.raises(ValueError, match="generic"):
-        openrt.init(isa="avx17")
+@pytest.mark.parametrize("wrong, text", [
+    ({"isa": "avx17"}, "generic"), ({"threads": 1025}, "1024"), ({"threads": -1}, "1024")])
+def test_a_start_that_is_refused_has_no_effect(wrong, text):
+    context, triangle = openrt.raw.rtGetCurrentContext(), openrt.mesh(TRIANGLE)
+    with pytest.raises(ValueError, match=text):
+        openrt.init(**wrong)
+    with pytest.raises(TypeError):
+        openrt.init(threads=2.5)
+    assert openrt.raw.rtGetCurrentContext() == context
+    openrt.instance(triangle)
+    openrt.exit()
+    with pytest.raises(ValueError, match=text):
+        openrt.init(**wrong)
+    assert not openrt.raw.rtGetCurrentContext()
 
 
 def test_hits_can_be_compared():

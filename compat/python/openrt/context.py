@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Start, end and facts of the library."""
+import operator
+
 from . import frames
 from .binding import _library, ffi, listen, raw
 
@@ -7,9 +9,14 @@ from .binding import _library, ffi, listen, raw
 def init(threads=0, isa=None):
     """Starts with a fresh context, current on this thread. A second call ends the first one's.
 
-    threads: how many render, 0 = all cores. isa: "generic", "sse4", "avx2", "avx512" or "neon",
-    for the whole process; None: as before, at first the best that this machine has.
+    threads: how many render, 0 to 1024; 0 = all cores. isa: "generic", "sse4", "avx2", "avx512" or
+    "neon", for the whole process; None: as before, at first the best that this machine has.
     """
+    threads = operator.index(threads)
+    if not 0 <= threads <= 1024:
+        raise ValueError(f"threads are 0 to 1024, not {threads}")
+    if isa is not None and isa not in _instruction_sets():
+        raise ValueError(f"isa is among {_instruction_sets()} here, not {isa!r}")
     arguments = [b"python"]
     if isa is not None:
         arguments += [b"--rt-isa", isa.encode()]
@@ -17,8 +24,6 @@ def init(threads=0, isa=None):
     argv = ffi.new("char *[]", kept + [ffi.NULL])
     _library.rtInit(ffi.new("int *", len(kept)), argv)
     listen()
-    if isa is not None and instruction_set() != isa:
-        raise ValueError(f"isa is among {_text(raw.RT_ISA_NAMES).split()} here, not {isa!r}")
     raw.rtThreads(threads)
 
 
@@ -29,13 +34,24 @@ def exit():
 
 
 def version():
-    """Of the library, as "0.1.0"."""
+    """Of the library, as "0.1.0". Needs a context, as all calls do: init() first."""
     return _text(raw.RT_VERSION).split()[-1]
 
 
 def instruction_set():
     """The one that the kernels use."""
     return _text(raw.RT_ISA)
+
+
+def _instruction_sets():
+    """Those that library and machine have; also on a thread without a context."""
+    made = None if raw.rtGetCurrentContext() else raw.rtCreateContext()
+    if made:
+        raw.rtMakeCurrent(made)
+    try:
+        return _text(raw.RT_ISA_NAMES).split()
+    finally:
+        raw.rtDestroyContext(made)
 
 
 def _text(name):
