@@ -62,6 +62,40 @@ def test_shader_parameters_by_name():
         openrt.Shader("ConstantShader", library="/no/such/file.so")
 
 
+def bound():
+    """The shader that is bound, and the class."""
+    raw = openrt.raw
+    value = numpy.zeros(2, numpy.int32)
+    raw.rtGetIntegerv(raw.RT_SHADER_BINDING, value[:1])
+    raw.rtGetIntegerv(raw.RT_SHADER_CLASS_BINDING, value[1:])
+    return value.tolist()
+
+
+def test_only_bind_binds_a_shader():
+    raw = openrt.raw
+    red = openrt.Shader("ConstantShader", value=(1.0, 0.0, 0.0))
+    assert bound() == [0, 0]
+    red.bind()
+    before = bound()
+    assert before[0] == red.id
+    blue = openrt.Shader("ConstantShader", value=(0.0, 0.0, 1.0))
+    openrt.Shader("PointLight").set(radiance=(1.0, 1.0, 1.0))
+    openrt.mesh(TRIANGLE, shader=blue)
+    for wrong in (lambda: openrt.Shader("NoSuchClass"), lambda: blue.set(no_such_parameter=1.0),
+                  lambda: openrt.Shader("Phong", no_such_parameter=1.0),
+                  lambda: openrt.mesh(TRIANGLE, shader=openrt.Shader("PointLight"))):
+        with pytest.raises(openrt.Error):
+            wrong()
+    assert bound() == before
+    frame = openrt.FrameBuffer(8, 8, "rgb32f")
+    look()
+    openrt.instance(openrt.mesh(numpy.array(TRIANGLE) * 50))
+    assert numpy.allclose(openrt.render(frame).color, [1, 0, 0])
+    raw.rtBindShaderClass(before[1])
+    blue.set(value=(0.0, 1.0, 0.0))
+    assert bound() == [0, before[1]]
+
+
 def test_frames_in_flight_keep_their_buffers():
     look()
     triangle = openrt.mesh(numpy.array(TRIANGLE) * 50, colors=[[1, 1, 1]] * 3)

@@ -3,6 +3,7 @@
 import numpy
 
 from .binding import raw
+from .shaders import kept_binding
 
 
 def _rows(values, columns, count, name):
@@ -64,13 +65,15 @@ def mesh(vertices, triangles=None, normals=None, colors=None, texcoords=None, sh
         if normals is not None:
             raw.rtEnableClientState(raw.RT_NORMAL_ARRAY)
             raw.rtNormalPointer(raw.RT_FLOAT, 0, normals)
-        if shader is not None:
-            shader.bind()
-        made = raw.rtNewObject(raw.RT_DEFINE)
-        try:
-            raw.rtDrawElements(raw.RT_TRIANGLES, triangles.size, raw.RT_UNSIGNED_INT, triangles)
-        finally:
-            raw.rtEndObject()
+        with kept_binding():
+            if shader is not None:
+                shader.bind()
+            made = raw.rtNewObject(raw.RT_DEFINE)
+            try:
+                raw.rtDrawElements(raw.RT_TRIANGLES, triangles.size, raw.RT_UNSIGNED_INT,
+                                   triangles)
+            finally:
+                raw.rtEndObject()
     finally:
         raw.rtPopClientAttrib()
     return made

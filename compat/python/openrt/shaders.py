@@ -1,8 +1,25 @@
 # SPDX-License-Identifier: MIT
 """Shaders by name, their parameters as attributes."""
+import contextlib
+
 import numpy
 
 from .binding import Error, raw
+
+
+@contextlib.contextmanager
+def kept_binding():
+    """Afterwards the shader, or class without one, is bound that is bound now."""
+    shader, shader_class = numpy.zeros(1, numpy.int32), numpy.zeros(1, numpy.int32)
+    raw.rtGetIntegerv(raw.RT_SHADER_BINDING, shader)
+    raw.rtGetIntegerv(raw.RT_SHADER_CLASS_BINDING, shader_class)
+    try:
+        yield
+    finally:
+        if shader[0]:
+            raw.rtBindShader(int(shader[0]))
+        else:
+            raw.rtBindShaderClass(int(shader_class[0]))
 
 
 class Shader:
@@ -15,8 +32,9 @@ class Shader:
     """
 
     def __init__(self, class_name, library=None, **parameters):
-        self._class = raw.rtGenNewShaderClass(class_name, library)
-        self.id = raw.rtGenNewShader()
+        with kept_binding():
+            self._class = raw.rtGenNewShaderClass(class_name, library)
+            self.id = raw.rtGenNewShader()
         self.set(**parameters)
 
     def __reduce__(self):
@@ -28,9 +46,10 @@ class Shader:
 
     def set(self, **parameters):
         """Sets parameters by name; which names there are, docs/builtin-shaders.md says."""
-        self.bind()
-        for name, value in parameters.items():
-            _set(raw.rtParameterHandle(name), value)
+        with kept_binding():
+            self.bind()
+            for name, value in parameters.items():
+                _set(raw.rtParameterHandle(name), value)
 
     def use(self):
         """Makes a light part of the next frame."""
