@@ -30,11 +30,12 @@ uint32_t PlanarArrangement::addVertex(GridPoint point) {
 }
 
 void PlanarArrangement::addEdge(uint32_t from, uint32_t to) {
-    if (from == to) return;
-    if (lessByPlace(from, to))
-        edges_.push_back({from, to, 1});
-    else
-        edges_.push_back({to, from, -1});
+    if (from != to) edges_.push_back(oriented(from, to, 1));
+}
+
+PlanarArrangement::Edge PlanarArrangement::oriented(uint32_t from, uint32_t to,
+                                                    int32_t delta) const {
+    return points_[from] < points_[to] ? Edge{from, to, delta} : Edge{to, from, -delta};
 }
 
 bool PlanarArrangement::resolve() {
@@ -147,20 +148,14 @@ void PlanarArrangement::apply(std::vector<Cut>& cuts) {
     std::vector<Edge> pieces;
     pieces.reserve(edgeCount + cuts.size());
     std::size_t next = 0;
-    const auto addPiece = [&](uint32_t from, uint32_t to, int32_t delta) {
-        if (from == to) return;
-        if (lessByPlace(from, to))
-            pieces.push_back({from, to, delta});
-        else
-            pieces.push_back({to, from, -delta});
-    };
     for (uint32_t e = 0; e < edgeCount; ++e) {
         uint32_t from = edges_[e].a;
-        for (; next < cuts.size() && cuts[next].edge == e; ++next) {
-            addPiece(from, cuts[next].vertex, edges_[e].delta);
-            from = cuts[next].vertex;
-        }
-        addPiece(from, edges_[e].b, edges_[e].delta);
+        const auto addPiece = [&](uint32_t to) {
+            if (from != to) pieces.push_back(oriented(from, to, edges_[e].delta));
+            from = to;
+        };
+        for (; next < cuts.size() && cuts[next].edge == e; ++next) addPiece(cuts[next].vertex);
+        addPiece(edges_[e].b);
     }
     edges_ = std::move(pieces);
 }

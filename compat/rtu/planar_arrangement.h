@@ -59,7 +59,8 @@ private:
     struct Cut {
         uint32_t edge, vertex;
     };
-    bool lessByPlace(uint32_t a, uint32_t b) const { return points_[a] < points_[b]; }
+    /// `delta` times the way from one to the other.
+    Edge oriented(uint32_t from, uint32_t to, int32_t delta) const;
     void mergeEdges();
     void findCuts(std::vector<Cut>& cuts);
     bool cutAtEnds(uint32_t e, uint32_t f, std::vector<Cut>& cuts) const;
