@@ -4,8 +4,9 @@
 
 usage: declarations.py INCLUDE OUTPUT
 
-INCLUDE is the folder that holds openrt/rt.h and openrt/rtu.h. The output has two values: CDEF, what cffi takes as
-declarations, and TOKENS, a dictionary of the RT_ constants.
+INCLUDE is the folder that holds openrt/rt.h and openrt/rtu.h. The output has three values: CDEF,
+what cffi takes as declarations; WRITTEN, by function the numbers of the parameters that point to
+what is not const, which cffi forgets; and TOKENS, a dictionary of the RT_ constants.
 """
 import pathlib
 import re
@@ -58,6 +59,26 @@ def split(text):
             start = i + 1
 
 
+def parameters_of(text):
+    """Parameters; commas inside of brackets belong to a function's type."""
+    depth, start = 0, 0
+    for i, character in enumerate(text + ","):
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if character == "," and depth == 0:
+            yield text[start:i].strip()
+            start = i + 1
+
+
+def written_of(cdef):
+    written = {}
+    for name, parameters in re.findall(r"\b(rt\w+)\((.*)\);$", cdef, flags=re.M):
+        numbers = tuple(i for i, parameter in enumerate(parameters_of(parameters))
+                        if re.match(r"(?!const\b)[^(]*[*[]", parameter))
+        if numbers:
+            written[name] = numbers
+    return written
+
+
 def generate(include):
     seen = set()
     text = "\n".join(included(header, pathlib.Path(include), seen)
@@ -65,9 +86,10 @@ def generate(include):
     text = re.sub(r"\bargv\s*\[\s*\]", "*argv", text)
     cdef = declarations_of(text)
     tokens = "".join(f"    {name!r}: {value:#x},\n" for name, value in tokens_of(text).items())
+    written = "".join(f"    {name!r}: {numbers},\n" for name, numbers in written_of(cdef).items())
     return ("# SPDX-License-Identifier: MIT\n"
             "# Made by declarations.py from the C headers.\n"
-            f'CDEF = """\n{cdef}\n"""\n\nTOKENS = {{\n{tokens}}}\n')
+            f'CDEF = """\n{cdef}\n"""\n\nWRITTEN = {{\n{written}}}\n\nTOKENS = {{\n{tokens}}}\n')
 
 
 def main():

@@ -91,8 +91,29 @@ def test_memory_of_frames_is_never_exchanged():
                         ("depth", numpy.zeros(1)), ("values", ("normal",))):
         with pytest.raises(AttributeError, match=name):
             setattr(frame, name, value)
+        with pytest.raises(AttributeError, match=name):
+            delattr(frame, name)
     again = pickle.loads(pickle.dumps(frame))
     assert (again.width, again.color.shape) == (8, (8, 8, 3))
+
+
+def test_what_is_read_only_is_not_written_to():
+    raw = openrt.raw
+    value = numpy.full(1, 7, numpy.int32)
+    value.flags.writeable = False
+    picture = numpy.zeros((4, 4, 4), numpy.uint8)
+    picture.flags.writeable = False
+    for write in (lambda: raw.rtGetIntegerv(raw.RT_MATRIX_MODE, value),
+                  lambda: raw.rtSetFrameBuffer(picture, 4, 4, raw.RT_RGBA_8),
+                  lambda: raw.rtReadPixels(0, 0, 1, 1, raw.RT_RGBA, raw.RT_UNSIGNED_BYTE, picture),
+                  lambda: raw.rtReadPixels(0, 0, 1, 1, raw.RT_RGBA, raw.RT_UNSIGNED_BYTE, b"rgba")):
+        with pytest.raises(ValueError, match="read-only"):
+            write()
+    assert value == 7
+    matrix = numpy.eye(4)
+    matrix.flags.writeable = False
+    raw.rtLoadMatrixd(matrix)
+    raw.rtDrawPixels(1, 1, raw.RT_RGBA, raw.RT_UNSIGNED_BYTE, b"rgba")
 
 
 def test_frames_of_before_exit_are_forgotten():

@@ -7,8 +7,8 @@
     raw.rtTranslatef(0, 0, -5)
 
 Arguments that are pointers take None, cffi pointers, bytes for `void` and numpy arrays whose
-elements are of the pointer's type; a `const char *` takes a str. An array is not copied: it must
-live as long as the C function says that its memory must.
+elements are of the pointer's type, writable ones where it is not const; a `const char *` takes a
+str. An array is not copied: it must live as long as the C function says that its memory must.
 """
 import ctypes.util
 import os
@@ -18,7 +18,7 @@ import threading
 import cffi
 import numpy
 
-from ._declarations import CDEF, TOKENS
+from ._declarations import CDEF, TOKENS, WRITTEN
 
 ffi = cffi.FFI()
 ffi.cdef(CDEF)
@@ -106,13 +106,16 @@ _ELEMENTS = {"float": numpy.float32, "double": numpy.float64, "unsigned char": n
              "uint64_t": numpy.uint64}
 
 
-def _pointer(kind, value, name):
+def _pointer(kind, value, name, is_written):
     """An argument for a parameter that is a pointer."""
     if value is None:
         return ffi.NULL
+    is_array = isinstance(value, numpy.ndarray)
+    if is_written and (isinstance(value, (bytes, str)) or is_array and not value.flags.writeable):
+        raise ValueError(f"{name}: what the call writes to is read-only")
     if isinstance(value, str):
         return value.encode()
-    if not isinstance(value, numpy.ndarray):
+    if not is_array:
         return value
     if not value.flags.c_contiguous:
         raise ValueError(f"{name}: the array is not contiguous")
@@ -129,6 +132,7 @@ def _wrapped(name):
     function = getattr(_library, name)
     kind = ffi.typeof(function)
     pointers = [i for i, argument in enumerate(kind.args) if argument.kind == "pointer"]
+    written = WRITTEN.get(name, ())
     needs_context = name not in _WITHOUT_CONTEXT | _UTILITIES_WITHOUT_CONTEXT
     current = _library.rtGetCurrentContext
 
@@ -140,7 +144,7 @@ def _wrapped(name):
             arguments = list(arguments)
             for i in pointers:
                 if i < len(arguments):
-                    arguments[i] = _pointer(kind.args[i], arguments[i], name)
+                    arguments[i] = _pointer(kind.args[i], arguments[i], name, i in written)
         result = function(*arguments)
         _raise_pending()
         return result

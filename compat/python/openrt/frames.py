@@ -51,6 +51,9 @@ class FrameBuffer:
             raise AttributeError(f"{name} of a FrameBuffer stays what it was made as")
         super().__setattr__(name, value)
 
+    def __delattr__(self, name):
+        raise AttributeError(f"{name} of a FrameBuffer stays what it was made as")
+
     def bind(self):
         """Frames started from now on are written here."""
         raw.rtSetFrameBuffer(self.color.view(numpy.uint8), self.width, self.height, self._format)
