@@ -9,6 +9,7 @@
 
 #include "tests/conformance/child_process.h"
 #include "tests/conformance/ports.h"
+#include "tests/conformance/tested_library.h"
 
 namespace conformance {
 namespace {
@@ -69,9 +70,7 @@ struct Measurement {
 FrameTime measure(const Settings& settings, const Subject& subject) {
     Measurement openGl{settings.openGlPrograms,
                        {"LP_NUM_THREADS=2", "ASAN_OPTIONS=detect_leaks=0"}, {}, {}};
-    Measurement openRt{settings.openRtPrograms, {"OPENRT_THREADS=2"}, {}, {}};
-    if (!settings.library.empty())
-        openRt.environment.push_back("LD_PRELOAD=" + settings.library.string());
+    Measurement openRt{settings.openRtPrograms, withLibrary(settings, {"OPENRT_THREADS=2"}), {}, {}};
     for (int i = 0; i < kRepetitions; ++i) {
         openGl.repeat(subject, settings.seconds);
         openRt.repeat(subject, settings.seconds);

@@ -10,6 +10,7 @@
 #include "tests/conformance/conformance_case.h"
 #include "tests/conformance/frame_times.h"
 #include "tests/conformance/report.h"
+#include "tests/conformance/tested_library.h"
 
 namespace {
 
@@ -82,7 +83,8 @@ int run(int argc, char** argv) {
                  "openrt-conformance");
     app.set_version_flag("--version", "openrt-conformance " OPENRT_VERSION_STRING);
     app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
-        ->check(CLI::ExistingFile);
+        ->check(CLI::ExistingFile)
+        ->check(&faultOfLibrary);
     app.add_option("--json", json, "file for the results");
     CLI::Option* const report = app.add_option("--html", html, "folder for a report with pictures");
     app.add_option("--cases", prefix, "only cases whose names begin so");

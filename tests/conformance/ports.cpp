@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tests/conformance/child_process.h"
+#include "tests/conformance/tested_library.h"
 
 namespace conformance {
 namespace {
@@ -129,13 +130,10 @@ void PortRun::renderOpenGl(const std::string& report) {
 }
 
 void PortRun::renderTest() {
-    std::vector<std::string> environment;
-    if (!settings_.library.empty())
-        environment.push_back("LD_PRELOAD=" + settings_.library.string());
     runOrThrow({settings_.openRtPrograms / port_, "-geometry", size_.text(), "--rt-offscreen",
                 std::to_string(frames_), "--rt-output", pattern("rt", ".png"), "--rt-depth",
                 pattern("rt", ".pfm")},
-               environment, settings_.seconds);
+               withLibrary(settings_), settings_.seconds);
 }
 
 Frame PortRun::read(const char* which, int frame, int variant) const {

@@ -3,6 +3,7 @@
 
 #include "tests/conformance/child_process.h"
 #include "tests/conformance/conformance_case.h"
+#include "tests/conformance/tested_library.h"
 #include "tests/conformance/transcript.h"
 
 namespace conformance {
@@ -21,13 +22,11 @@ Answers ask(const Settings& settings, const std::string& program) {
     Answers answers;
     const std::string first = settings.openGlPrograms / program;
     const std::string second = settings.openRtPrograms / program;
-    std::vector<std::string> environment;
-    if (!settings.library.empty()) environment.push_back("LD_PRELOAD=" + settings.library.string());
     const Outcome openGl =
         runProgram({first, "--rt-offscreen", "1"},
                    {"LP_NUM_THREADS=0", "ASAN_OPTIONS=detect_leaks=0"}, settings.seconds);
     const Outcome openRt =
-        runProgram({second, "--rt-offscreen", "1"}, environment, settings.seconds);
+        runProgram({second, "--rt-offscreen", "1"}, withLibrary(settings), settings.seconds);
     answers.openGl = parseTranscript(openGl.output);
     answers.openRt = parseTranscript(openRt.output);
     answers.failure = openGl.failure(first) + openRt.failure(second);
