@@ -19,6 +19,7 @@
 #include "compat/trace/picture_file.h"
 #include "compat/trace/trace_input.h"
 #include "openrt/rt.h"
+#include "samples/common/standard_output.h"
 
 namespace {
 
@@ -213,18 +214,20 @@ int run(int argc, char* argv[]) {
     if (source->parsed()) writeSource(input, std::cout);
     if (info->parsed()) summarise(input, std::cout);
     if (dump->parsed()) listCalls(input, std::cout);
-    std::cout.flush();
-    if (!std::cout) throw StreamError("the output can not be written");
     return 0;
 }
 
-} // namespace
-
-int main(int argc, char* argv[]) {
+int statusOf(int argc, char* argv[]) {
     try {
         return run(argc, argv);
     } catch (const std::exception& error) {
         std::cerr << "openrt-trace: " << error.what() << '\n';
         return kFailure;
     }
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+    return samples::finishOutput("openrt-trace", statusOf(argc, argv), kFailure);
 }

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "samples/common/standard_output.h"
 #include "samples/tools/packet_check.h"
 #include "samples/tools/reads_check.h"
 
@@ -225,9 +226,7 @@ void printInstalled() {
     }
 }
 
-} // namespace
-
-int main(int argc, char* argv[]) {
+int run(int argc, char* argv[]) {
     CLI::App app(
         "Tells what the library and this machine have, and what is in shader libraries: "
         "those given, or all in the shader folders. The exit status is 1 if a library "
@@ -270,6 +269,11 @@ int main(int argc, char* argv[]) {
         good = false;
     }
     rtExit();
-    std::cout.flush();
-    return good && std::cout ? 0 : kFailure;
+    return good ? 0 : kFailure;
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+    return samples::finishOutput("openrt-info", run(argc, argv), kFailure);
 }

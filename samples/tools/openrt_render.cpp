@@ -93,8 +93,6 @@ void printStatistics(const samples::RenderStatistics& statistics) {
     } else if (!options.stats.empty()) {
         statistics.printText(std::cout);
     }
-    std::cout.flush();
-    if (!std::cout) throw std::runtime_error("the statistics can not be written");
 }
 
 int run() {

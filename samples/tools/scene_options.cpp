@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "samples/common/scene_loader.h"
+#include "samples/common/standard_output.h"
 
 namespace samples {
 namespace {
@@ -34,6 +35,26 @@ std::vector<float> numbersFrom(const std::string& option, const std::string& tex
                                    " numbers separated by commas, not '" + text + "'");
     }
     return numbers;
+}
+
+constexpr int kFailure = 1, kWrongCommandLine = 2;
+
+int statusOf(CLI::App& app, int argc, char* argv[], int (*run)()) {
+    const auto fail = [&](const std::string& text, int code) {
+        std::cerr << app.get_name() << ": " << oneLine(text) << std::endl;
+        return code;
+    };
+    try {
+        app.parse(argc, argv);
+        return run();
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
+        return fail(error.what(), kWrongCommandLine);
+    } catch (const std::bad_alloc&) {
+        return fail("there is not enough memory", kFailure);
+    } catch (const std::exception& error) {
+        return fail(error.what(), kFailure);
+    }
 }
 
 } // namespace
@@ -132,23 +153,8 @@ void printNotes(const SceneDescription& scene) {
 }
 
 int runProgram(CLI::App& app, int argc, char* argv[], int (*run)()) {
-    constexpr int kFailure = 1, kWrongCommandLine = 2;
-    const auto fail = [&](const std::string& text, int code) {
-        std::cerr << app.get_name() << ": " << oneLine(text) << std::endl;
-        return code;
-    };
     app.set_version_flag("--version", app.get_name() + " " OPENRT_VERSION_STRING);
-    try {
-        app.parse(argc, argv);
-        return run();
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
-        return fail(error.what(), kWrongCommandLine);
-    } catch (const std::bad_alloc&) {
-        return fail("there is not enough memory", kFailure);
-    } catch (const std::exception& error) {
-        return fail(error.what(), kFailure);
-    }
+    return finishOutput(app.get_name(), statusOf(app, argc, argv, run), kFailure);
 }
 
 } // namespace samples

@@ -40,8 +40,8 @@ SceneDescription loadVisibleScene(const SceneOptions& options, Bounds& bounds);
 /// What of the file is left out, a line each on stderr.
 void printNotes(const SceneDescription& scene);
 
-/// Parses the command line and calls run(); a failure is one line on stderr and exit code 1 (2
-/// for a wrong command line).
+/// Parses the command line and calls run(); a failure, also to print, is one line on stderr and exit
+/// code 1 (2 for a wrong command line).
 int runProgram(CLI::App& app, int argc, char* argv[], int (*run)());
 
 } // namespace samples

@@ -11,6 +11,7 @@
 
 #include "libsmart/kernel/kernels.h"
 #include "openrt/version.h"
+#include "samples/common/standard_output.h"
 #include "tests/accuracy/accuracy_report.h"
 
 namespace smart::test {
@@ -139,11 +140,8 @@ int run(const Options& options) {
     return broken.empty() ? 0 : kExitBroken;
 }
 
-} // namespace
-} // namespace smart::test
-
-int main(int argc, char** argv) {
-    smart::test::Options options;
+int statusOf(int argc, char** argv) {
+    Options options;
     CLI::App app(
         "Judges engines by exact arithmetic in the hard cases H1 to H12, and measures what "
         "each mode costs. Exit codes: 1 error, 2 wrong options, 3 a mode of the library broke a "
@@ -184,13 +182,21 @@ int main(int argc, char** argv) {
     app.add_flag("--table", options.table, "print the figures");
     try {
         app.parse(argc, argv);
-        return smart::test::run(options);
+        return run(options);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
         std::cerr << "openrt-accuracy: " << error.what() << '\n';
-        return smart::test::kExitUsage;
+        return kExitUsage;
     } catch (const std::exception& error) {
         std::cerr << "openrt-accuracy: " << error.what() << '\n';
-        return smart::test::kExitError;
+        return kExitError;
     }
+}
+
+} // namespace
+} // namespace smart::test
+
+int main(int argc, char** argv) {
+    using namespace smart::test;
+    return samples::finishOutput("openrt-accuracy", statusOf(argc, argv), kExitError);
 }

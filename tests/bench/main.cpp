@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "openrt/version.h"
+#include "samples/common/standard_output.h"
 #include "tests/bench/command.h"
 
 namespace smart::bench {
@@ -50,17 +51,22 @@ int runCommand(int argc, char** argv) {
     return kExitUsage;
 }
 
+int statusOf(int argc, char** argv) {
+    try {
+        return runCommand(argc, argv);
+    } catch (const UsageError& error) {
+        std::cerr << "openrt-bench: " << error.what() << '\n';
+        return kExitUsage;
+    } catch (const std::exception& error) {
+        std::cerr << "openrt-bench: " << error.what() << '\n';
+        return kExitError;
+    }
+}
+
 } // namespace
 } // namespace smart::bench
 
 int main(int argc, char** argv) {
-    try {
-        return smart::bench::runCommand(argc, argv);
-    } catch (const smart::bench::UsageError& error) {
-        std::cerr << "openrt-bench: " << error.what() << '\n';
-        return smart::bench::kExitUsage;
-    } catch (const std::exception& error) {
-        std::cerr << "openrt-bench: " << error.what() << '\n';
-        return smart::bench::kExitError;
-    }
+    using namespace smart::bench;
+    return samples::finishOutput("openrt-bench", statusOf(argc, argv), kExitError);
 }

@@ -43,6 +43,13 @@ class CommandLine(unittest.TestCase):
     def test_another_library_is_refused(self):
         self.assertIn("rtInit", self.check_refused("--library", ANOTHER, *ONE_CASE))
 
+    def test_full_disk(self):
+        for arguments in (["--list"], ONE_CASE):
+            with open("/dev/full", "wb") as full:
+                result = run(*arguments, stdout=full)
+            self.assertEqual((result.returncode, result.stderr),
+                             (3, "openrt-conformance: the output can not be written\n"))
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "openrt/version.h"
+#include "samples/common/standard_output.h"
 #include "tests/conformance/conformance_case.h"
 #include "tests/conformance/frame_times.h"
 #include "tests/conformance/report.h"
@@ -78,8 +79,8 @@ int run(int argc, char** argv) {
     std::string json, html, prefix;
     bool list = false, failFast = false, times = false;
     CLI::App app("Compares a libOpenRT.so with OpenGL, as OSMesa renders it. The exit status is 1 if "
-                 "a case did not pass, 2 for a wrong command line, 3 if there was nothing to "
-                 "compare.",
+                 "a case did not pass, 2 for a wrong command line, 3 if nothing could be "
+                 "compared or the results not be written.",
                  "openrt-conformance");
     app.set_version_flag("--version", "openrt-conformance " OPENRT_VERSION_STRING);
     app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
@@ -138,13 +139,17 @@ int run(int argc, char** argv) {
     return allPassed(results) ? 0 : kFailed;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int statusOf(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "openrt-conformance: %s\n", error.what());
         return kNothingCompared;
     }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return samples::finishOutput("openrt-conformance", statusOf(argc, argv), kNothingCompared);
 }

@@ -84,6 +84,11 @@ class Layering(unittest.TestCase):
                                            libsmart__base__b_H='#include "samples/common/x.h"')),
                          2)
 
+    def test_accepts_what_programs_share_in_the_program_of_a_layer_only(self):
+        include = '#include "samples/common/standard_output.h"'
+        self.assertEqual(self.problems(compat__trace__openrt_trace_CPP=include), [])
+        self.assertEqual(len(self.problems(compat__trace__c_source_CPP=include)), 1)
+
     def test_finds_internals_in_a_sample(self):
         self.assertEqual(len(self.problems(
             samples__tools__a_CPP='#include "libsmart/scene/scene.h"')), 1)

@@ -123,6 +123,15 @@ class Trace(unittest.TestCase):
         for wrong in ("0", "-1", "x"):
             self.assertEqual(self.trace("replay", self.file, "--until", wrong).returncode, 2)
 
+    def test_full_disk(self):
+        self.record(ARGUMENTS.program)
+        for command in ("replay", "dump", "info", "source"):
+            with open("/dev/full", "wb") as full:
+                result = subprocess.run([ARGUMENTS.trace, command, self.file], stdout=full,
+                                        stderr=subprocess.PIPE, text=True, timeout=120)
+            self.assertEqual((result.returncode, result.stderr),
+                             (3, "openrt-trace: the output can not be written\n"), command)
+
     def test_what_is_no_file_is_neither_replaced_nor_played(self):
         pipe = self.folder / "pipe"
         os.mkfifo(pipe)
