@@ -43,6 +43,11 @@ class CommandLine(unittest.TestCase):
     def test_another_library_is_refused(self):
         self.assertIn("rtInit", self.check_refused("--library", ANOTHER, *ONE_CASE))
 
+    def test_unknown_case(self):
+        for arguments in (["--cases", "nosuch"], ["--cases", "picture/nosuch", "--list"],
+                          ["--cases", "nosuch", "--times"]):
+            self.assertIn("none is called so", self.check_refused(*arguments))
+
     def test_full_disk(self):
         for arguments in (["--list"], ONE_CASE):
             with open("/dev/full", "wb") as full:

@@ -73,6 +73,11 @@ bool allPassed(const std::vector<Result>& results) {
 }
 
 int run(int argc, char** argv) {
+    const auto refuse = [](const char* reason) {
+        std::fprintf(stderr, "openrt-conformance: %s\n", reason);
+        return kWrongCommandLine;
+    };
+    constexpr const char* kNoSuchCase = "--cases: none is called so; see --list";
     Settings settings;
     settings.openGlPrograms = OPENRT_CONFORMANCE_GL;
     settings.openRtPrograms = OPENRT_CONFORMANCE_RT;
@@ -105,8 +110,7 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
-        std::fprintf(stderr, "openrt-conformance: %s\n", error.what());
-        return kWrongCommandLine;
+        return refuse(error.what());
     }
     if (!settings.library.empty()) settings.library = std::filesystem::canonical(settings.library);
 
@@ -120,9 +124,9 @@ int run(int argc, char** argv) {
         settings.work = html;
         settings.keepPictures = true;
     }
-    if (times) return measureFrameTimes(settings, prefix).empty() ? kFailed : 0;
+    if (times) return measureFrameTimes(settings, prefix).empty() ? refuse(kNoSuchCase) : 0;
     const std::vector<Case> cases = casesWith(prefix, settings);
-    if (cases.empty()) throw std::runtime_error("--cases: none is called so; see --list");
+    if (cases.empty()) return refuse(kNoSuchCase);
     if (list) {
         for (const Case& one : cases) std::printf("%s\n", one.name.c_str());
         return 0;
