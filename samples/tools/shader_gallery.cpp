@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // openrt-gallery FOLDER [CLASS...]: the pictures of docs/builtin-shaders.md, one of each built-in
 // shader class, as FOLDER/CLASS.png. The same pixels at every run.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "openrt/rt.hpp"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_png.h"
 
 namespace {
@@ -392,21 +393,27 @@ bool render(const Maker& maker, const std::string& folder) {
 } // namespace
 
 int main(int argc, char* argv[]) {
+    constexpr const char* kUsage = "openrt-gallery FOLDER [CLASS...]";
     rtInit(&argc, argv);
+    refuseOptions(argc, argv, kUsage);
     if (argc < 2) {
-        std::fprintf(stderr, "usage: openrt-gallery FOLDER [CLASS...]\n");
+        std::fprintf(stderr, "usage: %s\n", kUsage);
         return 2;
     }
-    rtEnable(RT_FRAMEBUFFER_SRGB);
-    int written = 0;
-    bool ok = true;
-    for (const Maker& maker : makers()) {
-        bool wanted = argc == 2;
-        for (int i = 2; i < argc; ++i) wanted |= std::strcmp(argv[i], maker.name) == 0;
-        if (!wanted) continue;
-        ok = render(maker, argv[1]) && ok;
-        ++written;
+    std::vector<Maker> wanted = argc == 2 ? makers() : std::vector<Maker>();
+    for (int i = 2; i < argc; ++i) {
+        const auto isNamed = [&](const Maker& maker) { return maker.name == std::string(argv[i]); };
+        const auto found = std::find_if(makers().begin(), makers().end(), isNamed);
+        if (found == makers().end()) {
+            std::fprintf(stderr, "openrt-gallery: there is no class %s\n", argv[i]);
+            return 2;
+        }
+        wanted.push_back(*found);
     }
+    rtEnable(RT_FRAMEBUFFER_SRGB);
+    const bool good = std::all_of(wanted.begin(), wanted.end(), [&](const Maker& maker) {
+        return render(maker, argv[1]);
+    });
     rtExit();
-    return ok && written > 0 ? 0 : 1;
+    return good ? 0 : 1;
 }

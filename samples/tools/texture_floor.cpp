@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "openrt/rt.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_png.h"
 
 namespace {
@@ -62,9 +63,11 @@ std::vector<RTubyte> render(RTint minFilter) {
 } // namespace
 
 int main(int count, char* arguments[]) {
+    constexpr const char* kUsage = "openrt-texture-floor FILE";
+    refuseOptions(count, arguments, kUsage);
     if (count != 2) {
-        std::fprintf(stderr, "openrt-texture-floor FILE\n");
-        return 1;
+        std::fprintf(stderr, "usage: %s\n", kUsage);
+        return 2;
     }
     const std::vector<RTubyte> left = render(RT_LINEAR), right = render(RT_LINEAR_MIPMAP_LINEAR);
     std::vector<RTubyte> both(2 * left.size());

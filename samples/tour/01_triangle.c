@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "openrt/rt.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_png.h"
 
 enum { kWidth = 640, kHeight = 480 };
@@ -14,6 +15,7 @@ int main(int argc, char *argv[]) {
     if (!pixels) return 1;
 
     rtInit(&argc, argv);
+    refuseOptions(argc, argv, "01_triangle [FILE]");
     rtSetFrameBuffer(pixels, kWidth, kHeight, RT_RGBA_8);
     rtClearColor(0.1f, 0.1f, 0.15f, 1.0f);
     rtSamples(16);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "openrt/rt.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_png.h"
 
 enum { kWidth = 800, kHeight = 600, kRings = 24, kSectors = 48, kSide = 10 };
@@ -48,6 +49,7 @@ int main(int argc, char *argv[]) {
     if (!pixels) return 1;
 
     rtInit(&argc, argv);
+    refuseOptions(argc, argv, "02_instances [FILE]");
     rtSetFrameBuffer(pixels, kWidth, kHeight, RT_RGBA_8);
     rtEnable(RT_FRAMEBUFFER_SRGB);
     rtEnable(RT_MULTISAMPLE);

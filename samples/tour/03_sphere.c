@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "openrt/rt.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_picture.h"
 
 enum { kWidth = 400, kHeight = 400, kStacks = 256, kSlices = 512 };
@@ -52,6 +53,7 @@ int main(int argc, char *argv[]) {
     RTuint sphere, light;
 
     rtInit(&argc, argv);
+    refuseOptions(argc, argv, "03_sphere [FILE]");
 
     sphere = makeSphere();
     light = makeLight();

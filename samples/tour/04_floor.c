@@ -6,6 +6,7 @@
  * colour * cos(angle to the light) * radiance / distance^2 where the light is seen, else nothing. */
 
 #include "openrt/rt.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_picture.h"
 
 enum { kWidth = 480, kHeight = 320 };
@@ -34,6 +35,7 @@ int main(int argc, char *argv[]) {
     RTuint light, floorSurface, blockerSurface;
 
     rtInit(&argc, argv);
+    refuseOptions(argc, argv, "04_floor [FILE]");
 
     rtGenNewShaderClass("PointLight", NULL);
     light = rtGenNewShader();

@@ -11,6 +11,7 @@
 #include "libsmart/render/frame_queue.h"
 #include "libsmart/render/packet_tracer.h"
 #include "libsmart/render/worker.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_png.h"
 
 namespace {
@@ -71,6 +72,7 @@ smart::ModelPtr makeHills() {
 } // namespace
 
 int main(int argc, char* argv[]) {
+    refuseOptions(argc, argv, "05_fixed_shader [FILE]");
     constexpr uint32_t kWidth = 640, kHeight = 480;
     std::vector<unsigned char> pixels(4 * kWidth * kHeight);
 

@@ -8,6 +8,7 @@
  * A class is loaded by its name and its library's; a shader is a class with values. */
 
 #include "openrt/rt.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_picture.h"
 
 enum { kWidth = 640, kHeight = 360 };
@@ -71,6 +72,7 @@ int main(int argc, char *argv[]) {
     RTuint heat;
 
     rtInit(&argc, argv);
+    refuseOptions(argc, argv, "06_shaders [FILE [FOLDER]]");
     folder = argc > 2 ? argv[2] : NULL;
 
     rtMatrixMode(RT_PROJECTION);

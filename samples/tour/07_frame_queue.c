@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "openrt/rt.h"
+#include "samples/common/refuse_options.h"
 #include "samples/common/write_png.h"
 
 enum { kWidth = 480, kHeight = 360, kScenes = 2, kInFlight = 2, kRings = 16, kSectors = 32 };
@@ -154,6 +155,7 @@ int main(int argc, char *argv[]) {
     RTenum error;
 
     rtInit(&argc, argv);
+    refuseOptions(argc, argv, "07_frame_queue [PREFIX [STEPS]]");
     prefix = argc > 1 ? argv[1] : "07_frame_queue";
     steps = argc > 2 ? atoi(argv[2]) : 4;
     for (step = 0; step < kInFlight; ++step)
