@@ -154,6 +154,8 @@ int run() {
 
 int main(int argc, char* argv[]) {
     CLI::App app("Renders a scene file to a picture.", "openrt-render");
+    options.addSizeTo(app);
+    options.addViewTo(app);
     options.addTo(app);
     options.shaders.addTo(app);
     app.add_option("-o,--output", options.output, "picture to write: .png or .exr")->required();

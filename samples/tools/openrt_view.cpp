@@ -227,6 +227,8 @@ int main(int argc, char* argv[]) {
     CLI::App app("Shows a scene file in a window. Left button: orbit, middle or right button: "
                  "pan, wheel: zoom, R: first view, Escape: leave.",
                  "openrt-view");
+    options.addSizeTo(app);
+    options.addViewTo(app);
     options.addTo(app);
     app.add_option("--frames", options.frames,
                    "renders without pause and leaves after so many pictures");

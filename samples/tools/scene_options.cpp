@@ -61,10 +61,6 @@ int statusOf(CLI::App& app, int argc, char* argv[], int (*run)()) {
 
 void SceneOptions::addTo(CLI::App& app) {
     app.add_option("SCENE", scene, "scene file: .glb .gltf .obj .ply .tri")->required();
-    app.add_option("--size", size, "picture size, WxH")->capture_default_str();
-    app.add_option("--camera", camera,
-                   "ex,ey,ez,tx,ty,tz,fov: eye, target, vertical field of view in degrees; "
-                   "otherwise the file's first camera, or a view of everything");
     app.add_option("--light", lights, "x,y,z: a point light beside those of the file; repeatable")
         ->allow_extra_args(false);
     app.add_option("--exposure", exposureStops, "stops by which all light is made brighter")
@@ -76,6 +72,24 @@ void SceneOptions::addTo(CLI::App& app) {
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.add_option("--precision", precision, "fast, watertight or precise")->capture_default_str();
+}
+
+void SceneOptions::addSizeTo(CLI::App& app) {
+    app.add_option("--size", size, "picture size, WxH")->capture_default_str();
+}
+
+void SceneOptions::addViewTo(CLI::App& app) {
+    app.add_option("--camera", camera,
+                   "ex,ey,ez,tx,ty,tz,fov: eye, target, vertical field of view in degrees; "
+                   "otherwise the file's first camera, or a view of everything");
+}
+
+void SceneOptions::addRoomTo(CLI::App& app) {
+    app.add_option("--camera", camera,
+                   "ex,ey,ez,tx,ty,tz,fov: where the room stands: the middle of its floor 1.7 m x "
+                   "--scale below the eye, its front towards the target, which may not lie "
+                   "straight above or below; the field of view has no effect; otherwise the "
+                   "file's first camera, or a view of everything");
 }
 
 PictureSize sizeFrom(const SceneOptions& options) {

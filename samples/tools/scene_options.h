@@ -21,7 +21,10 @@ struct SceneOptions {
     float exposureStops = 0.0f;
     uint32_t samples = 1, threads = 0, frames = 1;
 
-    void addTo(CLI::App& app);
+    void addTo(CLI::App& app); ///< those of all programs
+    void addSizeTo(CLI::App& app);
+    void addViewTo(CLI::App& app); ///< --camera for a picture
+    void addRoomTo(CLI::App& app); ///< --camera for a room around a head
 };
 
 struct PictureSize {

@@ -220,6 +220,8 @@ int main(int argc, char* argv[]) {
                  "openrt-cave");
     options.size = "512x512";
     options.frames = 0;
+    options.addSizeTo(app);
+    options.addRoomTo(app);
     options.addTo(app);
     app.add_option("--path", options.path, "recorded head: lines of seconds x y z yaw pitch roll")
         ->required();

@@ -95,6 +95,7 @@ int main(int argc, char* argv[]) {
     CLI::App app("Shows a scene in a head-mounted display, through an OpenXR runtime.",
                  "openrt-xr");
     options.frames = 0;
+    options.addRoomTo(app);
     options.addTo(app);
     app.add_option("--scale", options.scale, "units of the scene to the metre")
         ->capture_default_str();

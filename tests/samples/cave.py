@@ -99,6 +99,13 @@ class Cave(unittest.TestCase):
                     self.assertGreaterEqual(worst, max(rendered[-len(steps) + 1:]))
             self.assertEqual(len(rendered), 4 * (len(steps) - 1))
 
+    def test_room_stands_upright(self):
+        told = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True)
+        self.assertIn("where the room stands", " ".join(told.stdout.split()))
+        result = self.run_program("--frames", "1", "--camera", "0,5,0,0,1,0,40")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("straight up or down", result.stderr)
+
     def test_wrong_input(self):
         (self.folder / "bad.path").write_text("0 1 2\n")
         for arguments, more in ((["--side", "0"], {}), (["--scale", "nan"], {}),

@@ -37,12 +37,14 @@ class WithoutRuntime(unittest.TestCase):
 
     def test_wrong_command_line(self):
         self.assertEqual(run("--no-such-option").returncode, 2)
+        self.check_refused(run(SOURCE / "samples/models/courtyard.glb", "--size", "64x64"), 2)
         self.check_refused(run(SOURCE / "samples/models/courtyard.glb", "--scale", "0"), 2)
 
     def test_help(self):
         result = run("--help")
         self.assertEqual(result.returncode, 0)
         self.assertIn("--scale", result.stdout)
+        self.assertNotIn("--size", result.stdout)
 
 
 if __name__ == "__main__":
