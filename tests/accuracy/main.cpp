@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <thread>
@@ -13,6 +12,7 @@
 #include "openrt/version.h"
 #include "samples/common/standard_output.h"
 #include "tests/accuracy/accuracy_report.h"
+#include "tests/bench/json_file.h"
 
 namespace smart::test {
 namespace {
@@ -141,11 +141,7 @@ int run(const Options& options) {
     measureSpeeds(options, report);
     showProgress("");
     if (options.table) report.printTable(std::cout);
-    if (!options.json.empty()) {
-        std::ofstream file(options.json);
-        file << report.json().dump(1) << '\n';
-        if (!file.flush()) throw std::runtime_error(options.json + ": can not be written");
-    }
+    bench::writeJson(options.json, report.json());
     if (report.cases.empty() && report.secondary.empty()) return 0; // no promise was tested
     const std::string broken = report.brokenPromises();
     std::cout << (broken.empty() ? "All promises are kept.\n" : broken);
@@ -192,7 +188,7 @@ int statusOf(int argc, char** argv) {
     app.add_option("--repeat", options.speed.repeat, "measurements of each kind")
         ->check(CLI::Range(1, 1000));
     app.add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
-    app.add_option("--json", options.json, "write the figures to this file");
+    bench::addJson(app, options.json);
     app.add_flag("--table", options.table, "print the figures");
     try {
         app.parse(argc, argv);

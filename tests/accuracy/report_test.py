@@ -76,11 +76,20 @@ class Report(unittest.TestCase):
 
     def test_what_does_not_exist_is_refused(self):
         for arguments in (["--cases", "none", "--scene", str(self.path / "no.tri")],
-                          ["--cases", "H1-exact-vert", "--rays", "10", "--json", "/no/file"],
                           ["--cases", "none", "--json", "/dev/full"]):
             done = self.run_program(*arguments)
             self.assertEqual(done.returncode, 1, arguments)
             self.assertIn("openrt-accuracy: ", done.stderr)
+
+    def test_what_can_not_be_used_is_told_first(self):
+        (self.path / "views").write_text("noise")
+        for arguments, line in (
+                (["--rays", "1000000000", "--json", "/no/file"], "/no/file: No such file.*"),
+                (["--cases", "none", "--scene", "generated:100", "--cameras",
+                  str(self.path / "views")], ".*/views: no view named 'generated:100'; see --name")):
+            done = self.run_program(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
+            self.assertRegex(done.stderr, rf"\Aopenrt-accuracy: {line}\n\Z")
 
     def test_a_broken_report_makes_no_pictures(self):
         report = self.path / "report.json"

@@ -4,9 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/bench/command.h"
@@ -73,10 +71,6 @@ void addRepeat(CLI::App& app, unsigned& repeat) {
         ->capture_default_str();
 }
 
-void addJson(CLI::App& app, std::string& file) {
-    app.add_option("--json", file, "also write the figures to this file");
-}
-
 void addIsa(CLI::App& app, std::string& isa) {
     app.add_option("--isa", isa, "instruction set: generic, sse4, avx2, avx512, neon")
         ->check(CLI::IsMember({"generic", "sse4", "avx2", "avx512", "neon"}));
@@ -118,13 +112,6 @@ bool wantsEmbree(const std::vector<std::string>& peers) {
 void showProgress(const std::string& text) {
     static const bool terminal = isatty(STDERR_FILENO);
     if (terminal) std::cerr << '\r' << text << "\033[K" << std::flush;
-}
-
-void writeJson(const std::string& file, const nlohmann::json& root) {
-    if (file.empty()) return;
-    std::ofstream out(file);
-    out << root.dump(2) << '\n';
-    if (!out.flush()) throw std::runtime_error(file + ": can not be written");
 }
 
 } // namespace smart::bench

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "libsmart/kernel/kernels.h"
+#include "tests/bench/json_file.h"
 #include "tests/bench/workload.h"
 
 namespace smart::bench {
@@ -29,7 +29,6 @@ void addScene(CLI::App& app, std::string& scene);
 void addSize(CLI::App& app, uint32_t& size);
 void addThreads(CLI::App& app, unsigned& threads);
 void addRepeat(CLI::App& app, unsigned& repeat);
-void addJson(CLI::App& app, std::string& file);
 void addIsa(CLI::App& app, std::string& isa);
 void addPrecision(CLI::App& app, std::string& precision);
 void addPeers(CLI::App& app, std::vector<std::string>& peers);
@@ -41,8 +40,5 @@ bool wantsEmbree(const std::vector<std::string>& peers);
 
 /// One line on the terminal that is written over, where a person watches.
 void showProgress(const std::string& text);
-
-/// "" writes nothing. Throws std::runtime_error.
-void writeJson(const std::string& file, const nlohmann::json& root);
 
 } // namespace smart::bench

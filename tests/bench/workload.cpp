@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "libsmart/kernel/kernels.h"
+#include "samples/common/tri_loader.h"
 #include "tests/support/procedural_meshes.h"
 
 namespace smart::bench {
@@ -30,19 +32,17 @@ std::vector<Triangle> readTriangles(const std::string& scene) {
         return test::bumpySphere(
             uint32_t(std::stoul(scene.substr(std::string(kGenerated).size()))));
     }
-    std::ifstream file(scene, std::ios::binary | std::ios::ate);
-    if (!file) throw std::runtime_error(scene + ": can not be read");
-    const auto size = std::size_t(file.tellg());
-    uint32_t count = 0;
-    file.seekg(0);
-    file.read(reinterpret_cast<char*>(&count), sizeof(count));
-    static_assert(sizeof(Triangle) == 36);
-    if (!file || count == 0 || size != sizeof(count) + count * sizeof(Triangle)) {
-        throw std::runtime_error(scene + ": is no .tri file: its size does not fit its count");
+    try {
+        const samples::SceneDescription read = samples::loadTri(scene);
+        if (read.meshes.empty()) throw samples::LoadError("it shows no triangle");
+        const std::vector<glm::vec3>& corners = read.meshes[0].parts[0].positions;
+        std::vector<Triangle> triangles(corners.size() / 3);
+        static_assert(sizeof(Triangle) == 3 * sizeof(glm::vec3));
+        std::memcpy(triangles.data(), corners.data(), triangles.size() * sizeof(Triangle));
+        return triangles;
+    } catch (const samples::LoadError& error) {
+        throw std::runtime_error(scene + ": " + error.what());
     }
-    std::vector<Triangle> triangles(count);
-    file.read(reinterpret_cast<char*>(triangles.data()), std::streamsize(count * sizeof(Triangle)));
-    return triangles;
 }
 
 View readView(const std::string& file, const std::string& name) {
@@ -60,7 +60,7 @@ View readView(const std::string& file, const std::string& name) {
         if (!words) throw std::runtime_error(file + ": " + name + " needs 13 numbers");
         return view;
     }
-    throw std::runtime_error(file + ": has no " + name);
+    throw std::runtime_error(file + ": no view named '" + name + "'; see --name");
 }
 
 void RaySet::add(const RayPacket& packet) {
