@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -108,6 +109,14 @@ std::string faultOfPattern(const std::string& pattern) {
     }
 }
 
+std::string faultOfCount(const std::string& text) {
+    uint64_t count = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, count);
+    const bool good = error == std::errc() && rest == end && count > 0;
+    return good ? std::string() : "'" + text + "' is not a number from 1";
+}
+
 /// The records of the calls up to this one.
 std::span<const std::byte> firstCalls(const TraceInput& input, uint64_t until) {
     std::span<const std::byte> rest = input.records();
@@ -170,7 +179,7 @@ int run(int argc, char* argv[]) {
         ->check(&faultOfPattern);
     playing->add_option("--until", until, "makes the first N calls only")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
+        ->check(&faultOfCount);
     playing
         ->add_option("--shaders", shaders,
                      "the shader library with the classes that the program registered itself")

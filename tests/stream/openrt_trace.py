@@ -120,8 +120,10 @@ class Trace(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(result.stdout.startswith("10 calls, 0 frames"), result.stdout)
 
-        for wrong in ("0", "-1", "x"):
-            self.assertEqual(self.trace("replay", self.file, "--until", wrong).returncode, 2)
+        for wrong in ("0", "-1", "x", "1.5", str(2**64 + 1)):
+            result = self.trace("replay", self.file, "--until", wrong)
+            self.assertEqual((result.returncode, result.stderr), (
+                2, f"openrt-trace: --until: '{wrong}' is not a number from 1\n"))
 
     def test_full_disk(self):
         self.record(ARGUMENTS.program)
