@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compat/trace/trace_input.h"
 
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -10,14 +11,20 @@
 namespace smart::compat {
 
 TraceInput::TraceInput(const std::string& path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    namespace fs = std::filesystem;
     std::error_code unknown;
-    if (!file || !std::filesystem::is_regular_file(path, unknown))
-        throw StreamError(path + ": can not be read");
+    const fs::file_status status = fs::status(path, unknown);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw StreamError(path + ": only a file can be read, not a folder or a device");
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const auto check = [&] {
+        if (!file) throw StreamError(path + ": " + std::strerror(errno));
+    };
+    check();
     bytes_.resize(std::size_t(file.tellg()));
     file.seekg(0);
     file.read(reinterpret_cast<char*>(bytes_.data()), std::streamsize(bytes_.size()));
-    if (!file) throw StreamError(path + ": can not be read");
+    check();
     whole_ = bytesOfWholeRecords(bytes_);
     constexpr std::size_t kMagicAt = sizeof(RecordHead);
     if (whole_ < kMagicAt + sizeof kStreamMagic ||

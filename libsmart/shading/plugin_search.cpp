@@ -86,8 +86,10 @@ std::string findShaderLibrary(const std::string& name, const std::vector<std::st
         if (auto path = existing(folder + '/' + name)) return *path;
         looked += (looked.empty() ? "" : ", ") + folder;
     }
+    const std::optional<std::string> here = existing(name);
     notFound(name + ": no such shader library in " + (looked.empty() ? "any folder" : looked) +
-             " (the folders of OPENRT_SHADER_PATH and the installed one)");
+             " (the folders of OPENRT_SHADER_PATH and the installed one)" +
+             (here ? "; a file here needs a slash: ./" + *here : ""));
 }
 
 } // namespace smart

@@ -142,9 +142,9 @@ std::string fileName(const char* wall, uint32_t frame) {
     std::string name = options.output;
     const auto replace = [&](const std::string& what, const std::string& by) {
         const std::size_t at = name.find(what);
-        if (at == std::string::npos)
-            throw CLI::ValidationError("--output wants a name with %s for the wall and %d for the "
-                                       "frame, such as cave-%s-%d.png");
+        if (at == std::string::npos || at != name.rfind(what))
+            throw CLI::ValidationError("--output wants a name with one %s for the wall and one %d "
+                                       "for the frame, such as cave-%s-%d.png");
         name.replace(at, what.size(), by);
     };
     replace("%s", wall);

@@ -111,6 +111,8 @@ class Cave(unittest.TestCase):
         for arguments, more in ((["--side", "0"], {}), (["--scale", "nan"], {}),
                                 (["-o", self.folder / "x.png"], {}),
                                 (["-o", self.folder / "%s-%d.bmp"], {}),
+                                (["-o", self.folder / "%s-%s-%d.png"], {}),
+                                (["-o", self.folder / "%s-%d-%d.png"], {}),
                                 ([], {"scene": self.folder / "nothing.glb"}),
                                 ([], {"path": self.folder / "bad.path"})):
             result = self.run_program("--frames", "1", *arguments, **more)

@@ -142,9 +142,13 @@ class Trace(unittest.TestCase):
             self.assertEqual((result.returncode, result.stdout), (3, ""), result.stderr)
             self.assertRegex(result.stderr, rf"\Aopenrt-trace: {name}: .*\n\Z")
         self.assertTrue(pipe.is_fifo())
-        result = self.trace("info", self.folder)
-        self.assertEqual((result.returncode, result.stderr),
-                         (3, f"openrt-trace: {self.folder}: can not be read\n"))
+        missing = self.folder / "nowhere"
+        for name, reason in ((self.folder, "only a file can be read, not a folder or a device"),
+                             (pipe, "only a file can be read, not a folder or a device"),
+                             (missing, "No such file or directory")):
+            result = self.trace("info", name)
+            self.assertEqual((result.returncode, result.stderr),
+                             (3, f"openrt-trace: {name}: {reason}\n"))
 
     def test_info_and_dump(self):
         self.record(ARGUMENTS.program)

@@ -58,10 +58,12 @@ TEST_F(PluginSearch, ANameWithoutASlashIsLookedForInTheFoldersInOrder) {
 }
 
 TEST_F(PluginSearch, NeverInTheCurrentFolderByItself) {
-    make("here/wood.so");
-    EXPECT_NE(refusal("wood").find("no such shader library in " + folder_.string() + "/a, "),
+    const std::string elsewhere = refusal("wood");
+    EXPECT_NE(elsewhere.find("no such shader library in " + folder_.string() + "/a, "),
               std::string::npos)
-        << refusal("wood");
+        << elsewhere;
+    make("here/wood.so");
+    EXPECT_EQ(refusal("wood"), elsewhere + "; a file here needs a slash: ./wood.so");
     EXPECT_EQ(findShaderLibrary("wood", {"."}), "./wood.so");
     EXPECT_EQ(find("./wood"), "./wood.so");
     EXPECT_NE(refusal("").find("empty"), std::string::npos);
