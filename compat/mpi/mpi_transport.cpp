@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "libsmart/base/variable_warning.h"
+
 namespace smart::compat {
 namespace {
 
@@ -39,8 +41,10 @@ std::chrono::seconds silenceFromEnvironment() {
     const auto [last, problem] = std::from_chars(text, end, seconds);
     if (problem == std::errc() && last == end && (seconds == 0 || seconds > kHeartbeat.count()))
         return std::chrono::seconds(seconds);
-    std::fprintf(stderr, "openrt: OPENRT_MPI_SILENCE is neither 0 nor a number of seconds above %d: "
-                 "%d\n", int(kHeartbeat.count()), kSilence);
+    char reason[80];
+    std::snprintf(reason, sizeof reason, "neither 0 nor a number of seconds above %d; using %d",
+                  int(kHeartbeat.count()), kSilence);
+    warnOfVariable("OPENRT_MPI_SILENCE", text, reason);
     return std::chrono::seconds(kSilence);
 }
 

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "libsmart/base/variable_warning.h"
+
 namespace smart::compat {
 
 namespace {
@@ -19,8 +21,8 @@ std::optional<unsigned> numberUpTo(const char* text, unsigned limit) {
     return value;
 }
 
-void warn(const char* what, const char* value, const char* reason) {
-    std::fprintf(stderr, "openrt: %s %s: %s\n", what, value, reason);
+void warnOfArgument(const char* name, const char* value, const char* reason) {
+    std::fprintf(stderr, "openrt: %s %s: %s\n", name, value, reason);
 }
 
 bool isSize(const char* text) {
@@ -75,7 +77,7 @@ unsigned threadsFromEnvironment() {
     const char* const text = secure_getenv("OPENRT_THREADS");
     if (!text || !*text) return 0;
     const auto threads = numberUpTo(text, kMaxThreads);
-    if (!threads) warn("OPENRT_THREADS", text, "not a number from 0 to 1024");
+    if (!threads) warnOfVariable("OPENRT_THREADS", text, "not a number from 0 to 1024");
     return threads.value_or(0);
 }
 
@@ -92,11 +94,11 @@ InitOptions takeInitArguments(int* argcp, char** argv) {
         }
         const char* const name = argv[i];
         if (i + 1 == count || !argv[i + 1]) {
-            warn(name, "", "the value is missing");
+            warnOfArgument(name, "", "the value is missing");
             continue;
         }
         const char* const value = argv[++i];
-        if (const char* reason = apply(options, name, value)) warn(name, value, reason);
+        if (const char* reason = apply(options, name, value)) warnOfArgument(name, value, reason);
     }
     if (kept < count) {
         argv[kept] = nullptr;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "compat/recorder/error_log.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+#include "libsmart/base/variable_warning.h"
 
 namespace smart::compat {
 namespace {
@@ -14,7 +17,7 @@ std::FILE* openLog() noexcept {
     if (std::strcmp(where, "stderr") == 0) return stderr;
     std::FILE* const file = std::fopen(where, "ae");
     if (!file) {
-        std::fprintf(stderr, "OpenRT: OPENRT_LOG=%.200s can not be written\n", where);
+        warnOfVariable("OPENRT_LOG", where, std::strerror(errno));
         return nullptr;
     }
     std::setvbuf(file, nullptr, _IOLBF, 0);
@@ -37,7 +40,7 @@ const char* name(ErrorCode code) {
 
 void logError(ErrorCode code, const char* function, const char* text) noexcept {
     static std::FILE* const log = openLog();
-    if (log) std::fprintf(log, "OpenRT: %s: %s: %s\n", function, name(code), text);
+    if (log) std::fprintf(log, "openrt: %s: %s: %s\n", function, name(code), text);
 }
 
 } // namespace smart::compat

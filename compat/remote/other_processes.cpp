@@ -52,8 +52,8 @@ Packing packingFromEnvironment() {
     const std::string wish = text ? text : "";
     if (wish == "always") return Packing::Always;
     if (wish == "never") return Packing::Never;
-    if (!wish.empty()) warn("OPENRT_MPI_PACK is neither always nor never: tiles are packed when "
-                            "that pays");
+    if (!wish.empty()) warn("OPENRT_MPI_PACK=" + wish + ": neither always nor never; tiles are "
+                            "packed when that pays");
     return Packing::WhenItPays;
 }
 

@@ -65,7 +65,7 @@ void writeStart(RecordWriter& writer) {
 }
 
 void stop(Recording& r, const char* why) noexcept {
-    std::fprintf(stderr, "OpenRT: the recording of calls ends: %s\n", why);
+    std::fprintf(stderr, "openrt: the recording of calls ends: %s\n", why);
     r.sink = nullptr;
     recordingState = kOff;
 }

@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "libsmart/base/variable_warning.h"
+
 namespace smart::compat {
 
 namespace {
@@ -40,7 +42,7 @@ public:
         if (window_) munmap(window_, kWindow);
         window_ = nullptr;
         if (ftruncate(file_, off_t(start_ + used_)) != 0)
-            std::fprintf(stderr, "OpenRT: the trace has zeros at its end\n");
+            std::fprintf(stderr, "openrt: the trace has zeros at its end\n");
         close(file_);
     }
 
@@ -89,7 +91,7 @@ CallSink* traceFileFromEnvironment() noexcept {
     if (!name || !*name) return nullptr;
     const int file = open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) {
-        std::fprintf(stderr, "OpenRT: OPENRT_TRACE=%.200s: %s\n", name, std::strerror(errno));
+        warnOfVariable("OPENRT_TRACE", name, std::strerror(errno));
         return nullptr;
     }
     traceFile = new (std::nothrow) TraceFile(file); // never ended: threads may still record

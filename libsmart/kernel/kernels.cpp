@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "libsmart/base/variable_warning.h"
+
 namespace smart {
 
 #if defined(__x86_64__)
@@ -64,8 +66,10 @@ const KernelTable& choose() {
         if (known && !below && c.supported()) below = c.table;
     }
     const KernelTable& table = below ? *below : *best;
-    std::fprintf(stderr, "OpenRT: OPENRT_ISA=%.20s is %s; using %s\n", wanted,
-                 known ? "not supported by this machine" : "unknown", table.name);
+    char reason[80];
+    std::snprintf(reason, sizeof reason, "%s; using %s",
+                  known ? "not supported by this machine" : "unknown", table.name);
+    warnOfVariable("OPENRT_ISA", wanted, reason);
     return table;
 }
 

@@ -52,8 +52,8 @@ TEST_F(ErrorLog, HearsOfEveryErrorAlsoThoseThatDoNotStick) {
         errors.raise(ErrorCode::InvalidValue, "rtFirst", "one");
         errors.raise(ErrorCode::OutOfMemory, "rtSecond", "two");
     });
-    EXPECT_EQ(written(), "OpenRT: rtFirst: INVALID_VALUE: one\n"
-                         "OpenRT: rtSecond: OUT_OF_MEMORY: two\n");
+    EXPECT_EQ(written(), "openrt: rtFirst: INVALID_VALUE: one\n"
+                         "openrt: rtSecond: OUT_OF_MEMORY: two\n");
 }
 
 TEST_F(ErrorLog, AppendsToAFileThatIsThere) {
@@ -62,7 +62,7 @@ TEST_F(ErrorLog, AppendsToAFileThatIsThere) {
         setenv("OPENRT_LOG", path_.c_str(), 1);
         logError(ErrorCode::StackUnderflow, "rtPopMatrix", "now");
     });
-    EXPECT_EQ(written(), "before\nOpenRT: rtPopMatrix: STACK_UNDERFLOW: now\n");
+    EXPECT_EQ(written(), "before\nopenrt: rtPopMatrix: STACK_UNDERFLOW: now\n");
 }
 
 TEST_F(ErrorLog, IsSilentUnlessAsked) {

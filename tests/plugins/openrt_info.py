@@ -36,6 +36,14 @@ class OpenrtInfo(unittest.TestCase):
                          ["threads that render: 1"])
         self.assertIn("fault_Version.so: is made for version 77", err)
 
+    def test_variables_that_can_not_be_followed(self):
+        for name, value, reason in (("OPENRT_THREADS", "abc", "not a number from 0 to 1024"),
+                                    ("OPENRT_ISA", "abc", "unknown; using \\w+"),
+                                    ("OPENRT_LOG", "/no/file", "No such file or directory"),
+                                    ("OPENRT_TRACE", "/no/file", "No such file or directory")):
+            err = run(f"{PLUGINS}/missing.so", **{name: value})[2]
+            self.assertRegex(err, rf"(?m)^openrt: {name}={value}: {reason}$")
+
     def test_files(self):
         code, out, err = run(f"{PLUGINS}/kinds", f"{PLUGINS}/two_halves.so")
         self.assertEqual((code, err), (0, ""))
