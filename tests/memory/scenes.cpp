@@ -183,6 +183,7 @@ void queuedFrames() {
         rtRemoveShader(camera);
     }
     rtWaitFrame(last);
+    rtFinish(); // the last may have failed, and others be under way
     forgetClasses();
     triangle(0, 0); // the picture that is looked at
     rtRender();
