@@ -115,9 +115,12 @@ bool MpiTransport::finish(std::chrono::milliseconds timeout) noexcept {
     wake_.notify_one();
     for (uint64_t before = 0;;) {
         before = moved_;
-        if (changed_.wait_for(lock, timeout, [&] { return finished_; })) return true;
+        if (changed_.wait_for(lock, timeout, [&] { return finished_; })) break;
         if (moved_ == before) return false;
     }
+    lock.unlock();
+    if (thread_.joinable()) thread_.join();
+    return true;
 }
 
 // The thread that calls MPI.
