@@ -101,7 +101,13 @@ void FrameDriver::finish() {
         if (inFlight_) waitedFor(*inFlight_);
         return;
     }
-    const QueuedFramePtr frame = submit(applicationTarget());
+    QueuedFramePtr frame;
+    try {
+        frame = submit(applicationTarget());
+    } catch (...) {
+        renderer_.waitAll(); // for the frames before, all the same
+        throw;
+    }
     recorder_.sceneIsFinished();
     renderer_.waitAll();
     waitedFor(*frame);
