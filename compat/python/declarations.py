@@ -59,20 +59,11 @@ def split(text):
             start = i + 1
 
 
-def parameters_of(text):
-    """Parameters; commas inside of brackets belong to a function's type."""
-    depth, start = 0, 0
-    for i, character in enumerate(text + ","):
-        depth += {"(": 1, ")": -1}.get(character, 0)
-        if character == "," and depth == 0:
-            yield text[start:i].strip()
-            start = i + 1
-
-
 def written_of(cdef):
     written = {}
     for name, parameters in re.findall(r"\b(rt\w+)\((.*)\);$", cdef, flags=re.M):
-        numbers = tuple(i for i, parameter in enumerate(parameters_of(parameters))
+        pieces = re.split(r",\s*(?![^()]*\))", parameters)  # not within a function's type
+        numbers = tuple(i for i, parameter in enumerate(pieces)
                         if re.match(r"(?!const\b)[^(]*[*[]", parameter))
         if numbers:
             written[name] = numbers
