@@ -7,13 +7,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -165,19 +167,23 @@ bool checkClasses(const std::string& file, Finding (*find)(const RTshaderclass&)
     return good;
 }
 
-std::size_t threadsOfProcess() {
-    std::error_code failed;
-    const std::filesystem::directory_iterator threads("/proc/self/task", failed), end;
-    return failed ? 0 : std::size_t(std::distance(threads, end));
+/// Whether a thread of the process is one that renders: those are called openrt-0, openrt-1 ...
+bool renders(const std::filesystem::directory_entry& thread) {
+    std::string name;
+    std::getline(std::ifstream(thread.path() / "comm"), name);
+    const std::string_view prefix = "openrt-";
+    return name.starts_with(prefix) && name.size() > prefix.size() &&
+           std::isdigit(static_cast<unsigned char>(name[prefix.size()]));
 }
 
 /// How many threads the first frame starts; 0 where the system does not tell.
 std::size_t threadsThatRender() {
-    const std::size_t before = threadsOfProcess();
     RTubyte pixel[4];
     rtSetFrameBuffer(pixel, 1, 1, RT_RGBA_8);
     rtRender();
-    return threadsOfProcess() - before;
+    std::error_code failed;
+    const std::filesystem::directory_iterator threads("/proc/self/task", failed);
+    return failed ? 0 : std::size_t(std::ranges::count_if(threads, renders));
 }
 
 /// The shared libraries of the process, which are those of the library and this program.

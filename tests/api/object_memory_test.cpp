@@ -230,6 +230,7 @@ TEST_F(ObjectMemory, ReportedBytesAreThoseAllocated) {
 }
 
 TEST_F(ObjectMemory, WhatFramesAddIsCountedAndGivenBack) {
+    awaitThreadsLeaving();
     rtObjectHint(RT_BUILD_QUALITY, RT_NICEST);
     const double reportedBefore = statistic(RT_STAT_BYTES);
     const int64_t before = liveBytes;
@@ -247,6 +248,7 @@ TEST_F(ObjectMemory, WhatFramesAddIsCountedAndGivenBack) {
     rtIntersect(scene, rays.data(), hits.data(), RTsizei(rays.size()), RT_COHERENT);
     std::vector<RThit>().swap(hits);
     rtReleaseScene(scene);
+    awaitThreadsLeaving();
     const double all = statistic(RT_STAT_BYTES) - reportedBefore;
     EXPECT_GT(all, records + 30.0 * kTriangles);
     const double allocated = double(liveBytes - before) - double(rays.capacity() * sizeof(RTray));
@@ -256,6 +258,7 @@ TEST_F(ObjectMemory, WhatFramesAddIsCountedAndGivenBack) {
 }
 
 TEST_F(ObjectMemory, AnUpdateSharesWhatStays) {
+    awaitThreadsLeaving();
     rtObjectHint(RT_BUILD_QUALITY, RT_FASTEST);
     const double reportedBefore = statistic(RT_STAT_BYTES);
     const RTuint object = makeField({true, true, true});

@@ -5,6 +5,7 @@ and the commands of the first page work.
 
 usage: pages_test.py BUILD_DIR [unittest arguments]
 """
+import functools
 import os
 import pathlib
 import re
@@ -24,13 +25,18 @@ def program(name):
     return found if found.exists() else None
 
 
+@functools.cache
+def help_of(name, *subcommand):
+    return subprocess.run([program(name), *subcommand, "--help"], capture_output=True,
+                          text=True).stdout
+
+
 def options(name, arguments):
     """The options that --help tells of, those of the subcommand included."""
-    text = subprocess.run([program(name), "--help"], capture_output=True, text=True).stdout
+    text = help_of(name)
     words = [a for a in arguments if not a.startswith("-")]
     if words and re.search(rf"^  {re.escape(words[0])}\b", text, flags=re.MULTILINE):
-        text += subprocess.run([program(name), words[0], "--help"],
-                               capture_output=True, text=True).stdout
+        text += help_of(name, words[0])
     return set(re.findall(r"(?<![\w-])(--?[a-zA-Z][\w-]*)", text))
 
 

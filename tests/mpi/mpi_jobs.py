@@ -32,7 +32,7 @@ SHORT = {"02_instances": ["out.png"], "01_triangle": ["out.png"], "03_sphere": [
          "04_floor": ["out.pfm"], "06_shaders": ["out.png"], "07_frame_queue": ["frame", "2"]}
 SIZE = "96x72"
 CHANGING = ["flight", "shoal", "sheet", "day_and_night"]
-SECONDS = 200
+SECONDS = 600
 AT_ONCE = 4
 
 
