@@ -158,9 +158,8 @@ def suites():
         counts = suite(preset)
         rows.append([name, counts["tests"], counts["failures"], counts["skipped"]] if counts
                     else [name, NOT_RUN, "", ""])
-    ways = 0
     leave = (ROOT / "tests/process/CMakeLists.txt").read_text(encoding="utf-8")
-    ways = len(leave.split("foreach(way")[1].split(")")[0].split())
+    ways = len(leave.split("set(ways")[1].split(")")[0].split())
     note = (read("about.json") or {}).get("suites")
     return ["## The test suite", "", *table(["sanitizer", "tests", "failed", "skipped"], rows),
             *([note, ""] if note else []),
