@@ -112,8 +112,9 @@ class Layering(unittest.TestCase):
 class ExportedSymbols(unittest.TestCase):
     GOOD = {"rtInit": "OPENRT_0.1"}
 
-    def problems(self, declared, exported, needed=("libstdc++.so.6", "libc.so.6")):
-        return exported_symbols.problems(set(declared), exported, list(needed))
+    def problems(self, declared, exported, needed=("libstdc++.so.6", "libc.so.6"),
+                 library="libOpenRT"):
+        return exported_symbols.problems(library, set(declared), exported, list(needed))
 
     def test_parses_declarations(self):
         text = ('__attribute__((visibility("default"))) void rtInit(int *argcp);'
@@ -136,6 +137,17 @@ class ExportedSymbols(unittest.TestCase):
         self.assertEqual(len(self.problems(["rtInit"], self.GOOD, ["libhwy.so.1"])), 1)
         self.assertNotEqual(self.problems([], {}), [])
 
+    def test_looks_at_each_library(self):
+        good = (("librtut", "rtutInit", "RTUT_0.1", "libglfw.so.3"),
+                ("libOpenRT-mpi", "openrtMpiOpen", None, "libmpi.so.40"))
+        for library, name, node, needed in good:
+            self.assertEqual(self.problems([name], {name: node}, [needed], library), [])
+            for exported, need in (({name: "OPENRT_0.1"}, needed), ({name: node}, "libhwy.so.1"),
+                                   ({name: node, "_ZNSt5dequeIvE": None}, needed), ({}, needed)):
+                self.assertEqual(len(self.problems([name], exported, [need], library)), 1)
+        self.assertEqual(exported_symbols.declared_symbols("cc", [], "libOpenRT-mpi"),
+                         {"openrtMpiComponent", "openrtMpiOpen"})
+
     def test_finds_planted_export_in_a_real_library(self):
         with tempfile.TemporaryDirectory() as folder:
             library = pathlib.Path(folder, "a.so")
@@ -143,7 +155,7 @@ class ExportedSymbols(unittest.TestCase):
                            input="void rtInit(void){} void leaked(void){}", text=True, check=True)
             exported = exported_symbols.exported_symbols(
                 exported_symbols.output_of("nm", "-D", "--defined-only", str(library)))
-            self.assertIn("exported, but not declared: leaked",
+            self.assertIn("libOpenRT: exported, but not declared: leaked",
                           self.problems(["rtInit"], exported))
 
 
@@ -151,14 +163,17 @@ class VersionScript(unittest.TestCase):
     GOOD = "OPENRT_0.1 { global: rtInit; local: *; };"
 
     def problems(self, text, declared=("rtInit",)):
-        return version_script.problems(text, set(declared), "0.1.0")
+        return version_script.problems("libOpenRT", text, set(declared), "0.1.0")
 
     def test_accepts_names(self):
         self.assertEqual(self.problems(self.GOOD), [])
 
     def test_accepts_a_second_node(self):
         two = self.GOOD + "\nOPENRT_0.2 { global: rtExit; } OPENRT_0.1;"
-        self.assertEqual(version_script.problems(two, {"rtInit", "rtExit"}, "0.2.0"), [])
+        self.assertEqual(version_script.problems("libOpenRT", two, {"rtInit", "rtExit"}, "0.2.0"), [])
+        rtut = self.GOOD.replace("OPENRT", "RTUT")
+        self.assertEqual(version_script.problems("librtut", rtut, {"rtInit"}, "0.1.0"), [])
+        self.assertNotEqual(version_script.problems("librtut", self.GOOD, {"rtInit"}, "0.1.0"), [])
 
     def test_finds_each_fault(self):
         for text in ("", "OPENRT_0.1 { global: rt*; local: *; };",

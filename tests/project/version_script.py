@@ -1,20 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The linker's version script: every function by name, in the node of the release that added it."""
+"""The linker's version scripts of libOpenRT and librtut: every function by name, in the node of the
+release that added it."""
 import argparse
+import pathlib
 import re
 import sys
 
-from exported_symbols import declared_functions, preprocess
-
-NODE = re.compile(r"(OPENRT_\d+\.\d+)\s*\{([^}]*)\}\s*(\w[\w.]*)?\s*;")
+from exported_symbols import LIBRARIES, declared_functions, preprocess
 
 
-def nodes_of(text):
+def nodes_of(text, prefix):
     """[(node, [names], [local patterns], parent)] in order."""
     text = re.sub(r"/\*.*?\*/|#[^\n]*", "", text, flags=re.DOTALL)
     nodes = []
-    for name, body, parent in NODE.findall(text):
+    for name, body, parent in re.findall(
+            rf"({prefix}_\d+\.\d+)\s*\{{([^}}]*)\}}\s*(\w[\w.]*)?\s*;", text):
         scope, names = "global", {"global": [], "local": []}
         for word in re.findall(r"(global|local)\s*:|([^\s;:]+)\s*;", body):
             if word[0]:
@@ -29,12 +30,13 @@ def release_order(node):
     return [int(part) for part in node.split("_")[1].split(".")]
 
 
-def problems(text, declared, version):
-    nodes = nodes_of(text)
+def problems(library, text, declared, version):
+    prefix = LIBRARIES[library].node
+    nodes = nodes_of(text, prefix)
     if not nodes:
-        return ["no node OPENRT_x.y found"]
+        return [f"{library}: no node {prefix}_x.y found"]
     found, seen = [], set()
-    newest = "OPENRT_" + ".".join(version.split(".")[:2])
+    newest = f"{prefix}_" + ".".join(version.split(".")[:2])
     for index, (node, names, hidden, parent) in enumerate(nodes):
         if release_order(node) > release_order(newest):
             found.append(f"{node} is later than this release, {newest}")
@@ -51,20 +53,22 @@ def problems(text, declared, version):
         if hidden != (["*"] if index == 0 else []):
             found.append(f"{node}: 'local: *;' belongs in the first node, and only there")
     found += [f"not listed: {name}" for name in sorted(declared - seen)]
-    return found
+    return [f"{library}: {problem}" for problem in found]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--script", required=True)
+    parser.add_argument("--script", type=pathlib.Path, action="append", required=True)
     parser.add_argument("--version", required=True)
     parser.add_argument("--compiler", default="cc")
     parser.add_argument("--include", action="append", required=True)
     arguments = parser.parse_args()
-    declared = declared_functions(preprocess(arguments.compiler, arguments.include))
-    with open(arguments.script, encoding="utf-8") as file:
-        found = problems(file.read(), declared, arguments.version)
-    print("\n".join(found) or f"{len(declared)} functions, each by name")
+    found = []
+    for path in arguments.script:
+        declared = declared_functions(preprocess(arguments.compiler, arguments.include, path.stem))
+        found += problems(path.stem, path.read_text(encoding="utf-8"), declared, arguments.version)
+        print(f"{path.stem}: {len(declared)} functions")
+    print("\n".join(found))
     return 1 if found else 0
 
 
