@@ -14,8 +14,18 @@ endif()
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libopenrt-dev)
 install(TARGETS smart EXPORT OpenRTSmartTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Not the headers that are compiled once for each instruction set: they are the kernels' own.
+set(kernel_sources "")
+file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/libsmart/kernel/*.h)
+foreach(header ${headers})
+    file(STRINGS ${header} isa REGEX SMART_ISA LIMIT_COUNT 1)
+    if(isa)
+        cmake_path(GET header FILENAME name)
+        list(APPEND kernel_sources PATTERN kernel/${name} EXCLUDE)
+    endif()
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/libsmart DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    FILES_MATCHING PATTERN "*.h")
+    FILES_MATCHING PATTERN "*.h" ${kernel_sources})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/openrt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(FILES ${PROJECT_BINARY_DIR}/include/openrt/version.h
@@ -46,8 +56,15 @@ foreach(package ${packages})
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
-    COMPONENT openrt-doc
+# Guides and what they link to, where it lies in the sources.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME openrt-doc)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
     PATTERN CMakeLists.txt EXCLUDE PATTERN docs/man EXCLUDE PATTERN docs/site EXCLUDE)
-install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-    DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT openrt-doc)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/tour ${PROJECT_SOURCE_DIR}/samples/changing
+    ${PROJECT_SOURCE_DIR}/samples/ports DESTINATION ${CMAKE_INSTALL_DOCDIR}/samples
+    FILES_MATCHING PATTERN "*.c" PATTERN "*.cpp" PATTERN "*.h")
+foreach(page README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md LICENSE compat/python/README.md
+        .ci/packages.sh)
+    cmake_path(GET page PARENT_PATH folder)
+    install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <csignal>
+#include <initializer_list>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <pthread.h>

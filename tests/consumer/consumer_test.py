@@ -3,6 +3,7 @@
 
 usage: consumer_test.py BUILD_DIR GENERATOR C_COMPILER CXX_COMPILER FLAGS
 """
+import concurrent.futures
 import os
 import pathlib
 import re
@@ -11,7 +12,12 @@ import subprocess
 import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).parent
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "tests/docs"))
+
+from pages import broken_links  # noqa: E402
+
 STRICT = "-Wall -Wextra -Wpedantic -Wshadow -Werror"
 
 
@@ -137,13 +143,55 @@ def components(work, build):
 
 
 def guides(prefix):
-    """Where the manual pages say that they are, and nothing of what only makes them."""
+    """Where the manual pages say that they are, with what they link to and show, and nothing of what
+    only makes them."""
     folder = prefix / "share/doc/openrt"
-    expect((folder / "porting.md").exists(), "the guides are installed")
+    for name in ("README.md", "docs/porting.md", "docs/gallery.md"):
+        expect((folder / name).exists(), f"{name} is installed")
+    for page in folder.rglob("*.md"):
+        broken = broken_links(page, page.read_text(encoding="utf-8"))
+        expect(not broken, f"{page} links to {broken}")
+    gallery = (folder / "docs/gallery.md").read_text(encoding="utf-8")
+    expect(broken_links(folder / "gallery.md", gallery), "a guide in another folder is found out")
     sources = [path for name in ("CMakeLists.txt", "*.h2m", "*.py") for path in folder.rglob(name)]
     expect(not sources, f"{sources} are no guides")
-    for page in (HERE.parents[1] / "docs/man").glob("*.h2m"):
+    for page in (ROOT / "docs/man").glob("*.h2m"):
         expect("/usr/share/doc/openrt\n" in page.read_text(), f"{page} names their folder")
+
+
+def foreign_includes(include, text):
+    """What a header includes that is neither installed with it nor of what libopenrt-dev depends on."""
+    return [name for name in re.findall(r'^#\s*include\s+[<"]([^>"]*/[^>"]*)', text, re.MULTILINE)
+            if name.split("/")[0] not in ("glm", "sys") and not (include / name).exists()]
+
+
+def headers(installation):
+    """Each installed header compiles by itself. Those of the C interface do in project.headers_alone,
+    and those that a source of the same name includes first did when that was built."""
+    include = installation.prefix / "include"
+    alone = []
+    for path in sorted(include.rglob("*.h*")):
+        foreign = foreign_includes(include, path.read_text(encoding="utf-8"))
+        expect(not foreign, f"{path} includes {foreign}")
+        name = str(path.relative_to(include))
+        source = (ROOT / name).with_suffix(".cpp")
+        first = re.search(r'^#include .*', source.read_text(encoding="utf-8"), re.MULTILINE) \
+            if source.exists() else None
+        if name.startswith("libsmart/") and not (first and f'"{name}"' in first[0]):
+            alone.append(name)
+
+    def compiled(text):
+        return subprocess.run([installation.cxx, "-std=c++20", "-fsyntax-only", "-I", include,
+                               "-x", "c++", "-"], input=text, text=True, capture_output=True)
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        sources = [f'#include "{name}"\n' for name in alone]
+        for name, result in zip(alone, pool.map(compiled, sources)):
+            expect(result.returncode == 0, f"{name} alone: {result.stderr}")
+    kernel = (ROOT / "libsmart/kernel/simd.h").read_text(encoding="utf-8")
+    expect(foreign_includes(include, kernel) == ["hwy/highway.h"] and compiled(kernel).returncode != 0,
+           "a header of the kernels, which is not installed, is found out")
+    print(f"{len(alone)} headers compiled by themselves")
 
 
 def main(build, generator, cc, cxx, flags):
@@ -153,6 +201,7 @@ def main(build, generator, cc, cxx, flags):
         run("cmake", "--install", build, "--prefix", str(prefix))
         guides(prefix)
         installation = Installation(prefix, cc, cxx, flags)
+        headers(installation)
         program = installation.program("consumer.c", work / "by-pkg-config")
         result = installation.run(str(program))
         expect(result.returncode == 0, result.stdout)

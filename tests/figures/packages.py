@@ -5,10 +5,12 @@
     packages.py BUILD [--json FILE]
 
 Configures BUILD as the preset `package` does, builds it, and runs cpack. Exit status 1 if lintian
-finds an error, a package is missing, or two are described by the same words.
+finds an error, a package or something in it is missing, or two are described by the same words.
 """
 import argparse
 import collections
+import fnmatch
+import io
 import json
 import os
 import pathlib
@@ -16,9 +18,23 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-EXPECTED = {"libopenrt0", "libopenrt-dev", "openrt-tools", "openrt-doc"}
+PROGRAMS = ["cave", "info", "render", "trace", "view", "xr"]
+CALLS = ["rtInit", "rtVertex3f", "rtuLookAt", "rtutInit"]
+# What at least is in each package.
+EXPECTED = {
+    "libopenrt0": ["usr/lib/*/libOpenRT.so.0"],
+    "librtut0": ["usr/lib/*/librtut.so.0"],
+    "libopenrt-mpi0": ["usr/lib/*/libOpenRT-mpi.so.0"],
+    "libopenrt-dev": ["usr/include/openrt/rt.h", "usr/lib/*/libOpenRT.so", "usr/lib/*/libsmart.a",
+                      "usr/lib/*/pkgconfig/openrt.pc", "usr/lib/*/cmake/OpenRT/OpenRTConfig.cmake"],
+    "openrt-tools": [f"usr/{place.format(program)}" for program in PROGRAMS
+                     for place in ("bin/openrt-{}", "share/man/man1/openrt-{}.1.gz")],
+    "openrt-doc": ["usr/share/doc/openrt/README.md", "usr/share/doc/openrt/docs/porting.md",
+                   "usr/share/doc/openrt/html/index.html",
+                   *(f"usr/share/man/man3/{name}.3.gz" for name in CALLS)]}
 
 
 def preset():
@@ -59,6 +75,17 @@ def synopsis(package):
                           check=True).stdout.splitlines()[0]
 
 
+def missing_files(package, listing):
+    """What is expected of a package and is not in the list of its files."""
+    return [pattern for pattern in EXPECTED.get(package, []) if not fnmatch.filter(listing, pattern)]
+
+
+def files(package):
+    tar = subprocess.run(["dpkg-deb", "--fsys-tarfile", package], capture_output=True, check=True)
+    with tarfile.open(fileobj=io.BytesIO(tar.stdout)) as held:
+        return [name.removeprefix("./") for name in held.getnames()]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -68,18 +95,20 @@ def main():
     if not shutil.which("lintian"):
         print("lintian is not installed: the packages are not judged")
         return 1
-    packages, synopses = [], set()
+    packages, synopses, missing = [], set(), []
     for path in make(arguments.build.resolve()):
         found = findings(path)
         synopses.add(synopsis(path))
-        packages.append({"package": path.name.split("_")[0], "bytes": path.stat().st_size,
+        package = path.name.split("_")[0]
+        missing += [f"{package}: {file}" for file in missing_files(package, files(path))]
+        packages.append({"package": package, "bytes": path.stat().st_size,
                          "errors": sorted(set(found["E"])), "warnings": sorted(set(found["W"]))})
         print(json.dumps(packages[-1]))
     if arguments.json:
         arguments.json.write_text(json.dumps(packages, indent=1) + "\n", encoding="utf-8")
-    missing = EXPECTED - {entry["package"] for entry in packages}
+    missing += sorted(EXPECTED.keys() - {entry["package"] for entry in packages})
     if missing:
-        print(f"no package {', '.join(sorted(missing))}")
+        print("missing:", *missing, sep="\n  ")
     if len(synopses) < len(packages):
         print("packages have the same synopsis")
     return 1 if missing or len(synopses) < len(packages) or any(entry["errors"] for entry in packages) else 0
