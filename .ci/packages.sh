@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The Debian 12 packages that building, testing and the demo take. To be sourced.
+# The Debian 12 packages that building, testing and the demo take, and those of the long runs. To be
+# sourced.
 packages=(
     g++ cmake make ninja-build pkg-config python3 binutils # to build, and to check what was built
     abigail-tools                                     # the binary interface against releases'
@@ -14,16 +15,22 @@ packages=(
     libbenchmark-dev valgrind                         # kernels one by one; instructions counted
     libopenmpi-dev openmpi-bin liblz4-dev             # several machines that render together
     libosmesa6-dev libglu1-mesa-dev                   # OpenGL itself, to compare the ports with
+    doxygen help2man                                  # the site and the manual pages
+)
+long_packages=(
+    clang libclang-rt-14-dev                          # the other compiler; fuzzing
+    lintian debootstrap                               # packages judged; a bare Debian
+    xvfb xauth                                        # windows that are opened
 )
 
-# Installs what is missing; silent if nothing is.
+# install_packages PACKAGE...: those that are missing; silent if none is.
 install_packages() {
     local missing=() package
     if ! command -v apt-get >/dev/null; then
-        echo "No apt-get here. What the project needs, as Debian calls it: ${packages[*]}"
+        echo "No apt-get here. What the project needs, as Debian calls it: $*"
         return 0
     fi
-    for package in "${packages[@]}"; do
+    for package in "$@"; do
         if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
             missing+=("$package")
         fi
@@ -40,7 +47,7 @@ install_packages() {
         fi
     fi
     echo "Installing ${missing[*]}"
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get install -q -y --no-install-recommends "${missing[@]}"
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q &&
+        "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
+            apt-get install -q -y --no-install-recommends "${missing[@]}"
 }

@@ -21,7 +21,8 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MOUNTS = "mount --bind /proc {0}/proc && mount --bind /dev {0}/dev"
-STEPS = {"packages": "source .ci/packages.sh && install_packages", "demo": "./demo"}
+STEPS = {"packages": 'source .ci/packages.sh && install_packages "${packages[@]}"',
+         "demo": "./demo"}
 
 
 def make_root(root):
