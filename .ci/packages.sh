@@ -10,7 +10,8 @@ packages=(
     libglfw3-dev libgl-dev libopenxr-dev              # the viewers
     libgtest-dev libgmp-dev                           # the tests; exact arithmetic as the truth
     python3-cffi python3-numpy python3-pytest         # the Python module and its tests
-    python3-pip python3-setuptools python3-wheel      # its wheel
+    python3-pip python3-setuptools python3-wheel      # its wheel,
+    python3-venv                                      # and where that is installed
     libembree-dev                                     # the benchmark's yardstick
     libbenchmark-dev valgrind                         # kernels one by one; instructions counted
     libopenmpi-dev openmpi-bin liblz4-dev             # several machines that render together

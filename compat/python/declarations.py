@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Makes openrt/_declarations.py from the C headers, which are the one source of the interface.
 
-usage: declarations.py INCLUDE OUTPUT
+usage: declarations.py INCLUDE VERSION OUTPUT
 
-INCLUDE is the folder that holds openrt/rt.h and openrt/rtu.h. The output has three values: CDEF,
-what cffi takes as declarations; WRITTEN, by function the numbers of the parameters that point to
-what is not const, which cffi forgets; and TOKENS, a dictionary of the RT_ constants.
+INCLUDE is the folder that holds openrt/rt.h and openrt/rtu.h. The output has four values: VERSION,
+of the headers; CDEF, what cffi takes as declarations; WRITTEN, by function the numbers of the
+parameters that point to what is not const, which cffi forgets; and TOKENS, a dictionary of the RT_
+constants.
 """
 import pathlib
 import re
@@ -70,7 +71,7 @@ def written_of(cdef):
     return written
 
 
-def generate(include):
+def generate(include, version):
     seen = set()
     text = "\n".join(included(header, pathlib.Path(include), seen)
                      for header in ("openrt/rt.h", "openrt/rtu.h"))
@@ -80,13 +81,14 @@ def generate(include):
     written = "".join(f"    {name!r}: {numbers},\n" for name, numbers in written_of(cdef).items())
     return ("# SPDX-License-Identifier: MIT\n"
             "# Made by declarations.py from the C headers.\n"
-            f'CDEF = """\n{cdef}\n"""\n\nWRITTEN = {{\n{written}}}\n\nTOKENS = {{\n{tokens}}}\n')
+            f'VERSION = {version!r}\n\nCDEF = """\n{cdef}\n"""\n\nWRITTEN = {{\n{written}}}\n\nTOKENS = {{\n{tokens}}}\n')
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
-    pathlib.Path(sys.argv[2]).write_text(generate(sys.argv[1]), encoding="utf-8")
+    include, version, output = sys.argv[1:]
+    pathlib.Path(output).write_text(generate(include, version), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ class BuildWithDeclarations(build_py):
         super().run()
         target = pathlib.Path(self.build_lib) / "openrt" / "_declarations.py"
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(declarations.generate(INCLUDE), encoding="utf-8")
+        target.write_text(declarations.generate(INCLUDE, version()), encoding="utf-8")
 
 
 setup(version=version(), cmdclass={"build_py": BuildWithDeclarations})

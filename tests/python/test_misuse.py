@@ -25,7 +25,7 @@ def on_another_thread(work):
 
 
 @pytest.mark.parametrize("call", [
-    lambda: openrt.mesh(TRIANGLE), lambda: openrt.instance(1), openrt.CompiledScene, openrt.version,
+    lambda: openrt.mesh(TRIANGLE), lambda: openrt.instance(1), openrt.CompiledScene,
     lambda: openrt.Shader("Phong"), lambda: openrt.render(openrt.FrameBuffer(4, 4)),
     lambda: openrt.queue(openrt.FrameBuffer(4, 4)), openrt.statistics, openrt.listen,
     lambda: openrt.raw.rtuPerspective(60, 1, 1, 9),

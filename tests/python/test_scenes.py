@@ -186,3 +186,9 @@ def test_facts():
     assert openrt.instruction_set() in ("generic", "sse4", "avx2", "avx512", "neon")
     openrt.init(isa="generic")
     assert openrt.instruction_set() == "generic"
+
+
+def test_facts_without_a_context():
+    openrt.exit()
+    assert openrt.version() == openrt.__version__
+    assert not openrt.raw.rtGetCurrentContext()

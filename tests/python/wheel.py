@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The commands of compat/python/README.md, with ordinary tools: a wheel is made, installed into a
-folder of its own, and the example runs with it.
+"""The first commands of compat/python/README.md as they stand, with ordinary tools: a wheel is made
+and installed into an environment of its own, and the example runs with it.
 
 usage: wheel.py SOURCE_DIR LIBRARY
 """
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -15,33 +16,44 @@ import tempfile
 SOURCE, LIBRARY = pathlib.Path(sys.argv[1]), sys.argv[2]
 
 
-def run(*command, folder, **environment):
-    print("+", *command, flush=True)
-    subprocess.run([str(word) for word in command], check=True, cwd=folder,
-                   env={**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INDEX": "1",
-                        **environment})
+def documented():
+    """The packages that the page installs, and its other commands."""
+    page = (SOURCE / "compat/python/README.md").read_text(encoding="utf-8")
+    install, *others = re.search(r"```sh\n(.*?)```", page, re.DOTALL)[1].splitlines()
+    return re.fullmatch(r"apt-get install (.*)", install)[1].split(), others
+
+
+def project_packages():
+    return subprocess.run(["bash", "-c", 'source .ci/packages.sh; echo "${packages[@]}"'],
+                          cwd=SOURCE, capture_output=True, text=True, check=True).stdout.split()
+
+
+def copied(folder):
+    """What a wheel is made of; a copy, for setuptools writes beside what it builds."""
+    shutil.copytree(SOURCE / "compat/python", folder / "compat/python",
+                    ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__"))
+    shutil.copy(SOURCE / "CMakeLists.txt", folder)
+    shutil.copytree(SOURCE / "include", folder / "include")
 
 
 def main():
+    packages, commands = documented()
+    assert set(packages) <= set(project_packages()), "continuous integration installs others"
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        # A copy: setuptools writes beside what it builds.
-        module = folder / "compat/python"
-        shutil.copytree(SOURCE / "compat/python", module,
-                        ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__"))
-        shutil.copy(SOURCE / "CMakeLists.txt", folder)
-        shutil.copytree(SOURCE / "include", folder / "include")
-        pip = [sys.executable, "-m", "pip"]
-        run(*pip, "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", folder, module,
-            folder=folder)
-        wheels = list(folder.glob("openrt-*.whl"))
-        assert len(wheels) == 1, wheels
-        installed = folder / "installed"
-        run(*pip, "install", "--no-deps", "--target", installed, wheels[0], folder=folder)
-        assert (installed / "openrt/_declarations.py").exists()
+        copied(folder)
+        (folder / "tools").mkdir()
+        python = folder / "tools/python3"
+        python.write_text(f'#!/bin/sh\nexec {sys.executable} "$@"\n')
+        python.chmod(0o755)
         picture = folder / "picture.ppm"
-        run(sys.executable, module / "examples/first_picture.py", picture, folder=folder,
-            PYTHONPATH=str(installed), OPENRT_LIBRARY=LIBRARY)
+        script = "\n".join(["set -ex", *commands,
+                            f"python3 compat/python/examples/first_picture.py {picture}"])
+        environment = {**os.environ, "HOME": str(folder), "OPENRT_LIBRARY": LIBRARY,
+                       "PATH": f"{folder / 'tools'}:{os.environ['PATH']}",
+                       "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INDEX": "1"}
+        subprocess.run(["bash", "-c", script], cwd=folder, env=environment, check=True)
+        assert list(folder.glob("openrt-python/lib/python*/site-packages/openrt/_declarations.py"))
         assert picture.read_bytes().startswith(b"P6"), picture
 
 

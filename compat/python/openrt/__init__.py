@@ -12,6 +12,7 @@ Everything of the C interface is in openrt.raw. An error is an openrt.Error.
 from .context import exit, init, instruction_set, statistics, version
 from .frames import FrameBuffer, QueuedFrame, queue, render
 from .geometry import camera, instance, matrix, mesh
+from .binding import VERSION as __version__
 from .binding import Error, ffi, listen, raw
 from .queries import MISS, CompiledScene, Hits
 from .shaders import Shader

@@ -18,7 +18,7 @@ import threading
 import cffi
 import numpy
 
-from ._declarations import CDEF, TOKENS, WRITTEN
+from ._declarations import CDEF, TOKENS, VERSION, WRITTEN
 
 ffi = cffi.FFI()
 ffi.cdef(CDEF)
@@ -175,3 +175,24 @@ class _Raw:
 
 
 raw = _Raw()
+
+
+def text(name):
+    """What rtGetString says of the library; also on a thread without a context."""
+    made = None if raw.rtGetCurrentContext() else raw.rtCreateContext()
+    if made:
+        raw.rtMakeCurrent(made)
+    try:
+        return ffi.string(ffi.cast("const char *", raw.rtGetString(TOKENS[name]))).decode()
+    finally:
+        raw.rtDestroyContext(made)
+
+
+def _require_own_version():
+    version = text("RT_VERSION").split()[-1]
+    if version != VERSION:
+        raise ImportError(f"the module openrt is of {VERSION}, libOpenRT of {version}: "
+                          "both are to be of one release")
+
+
+_require_own_version()

@@ -3,7 +3,7 @@
 import operator
 
 from . import frames
-from .binding import _library, ffi, listen, raw
+from .binding import _library, ffi, listen, raw, text
 
 
 def init(threads=0, isa=None):
@@ -15,12 +15,12 @@ def init(threads=0, isa=None):
     threads = operator.index(threads)
     if not 0 <= threads <= 1024:
         raise ValueError(f"threads are 0 to 1024, not {threads}")
-    if isa is not None and isa not in _instruction_sets():
-        raise ValueError(f"isa is among {_instruction_sets()} here, not {isa!r}")
+    if isa is not None and isa not in (names := text("RT_ISA_NAMES").split()):
+        raise ValueError(f"isa is among {names} here, not {isa!r}")
     arguments = [b"python"]
     if isa is not None:
         arguments += [b"--rt-isa", isa.encode()]
-    kept = [ffi.new("char[]", text) for text in arguments]
+    kept = [ffi.new("char[]", argument) for argument in arguments]
     argv = ffi.new("char *[]", kept + [ffi.NULL])
     _library.rtInit(ffi.new("int *", len(kept)), argv)
     listen()
@@ -34,28 +34,13 @@ def exit():
 
 
 def version():
-    """Of the library, as "0.1.0". Needs a context, as all calls do: init() first."""
-    return _text(raw.RT_VERSION).split()[-1]
+    """Of the library, as "0.1.0"; `openrt.__version__`, of the module, is the same."""
+    return text("RT_VERSION").split()[-1]
 
 
 def instruction_set():
     """The one that the kernels use."""
-    return _text(raw.RT_ISA)
-
-
-def _instruction_sets():
-    """Those that library and machine have; also on a thread without a context."""
-    made = None if raw.rtGetCurrentContext() else raw.rtCreateContext()
-    if made:
-        raw.rtMakeCurrent(made)
-    try:
-        return _text(raw.RT_ISA_NAMES).split()
-    finally:
-        raw.rtDestroyContext(made)
-
-
-def _text(name):
-    return ffi.string(ffi.cast("const char *", raw.rtGetString(name))).decode()
+    return text("RT_ISA")
 
 
 def statistics():
