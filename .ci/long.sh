@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: MIT
 # The runs that take hours, of ./check --long, after the preset `release` was built. To be sourced.
 
+# write_commit FILE: that of the sources, "-dirty" where they are not what it says.
+write_commit() {
+    local commit
+    commit=$(git describe --always --dirty --exclude '*') && echo "{\"commit\": \"$commit\"}" >"$1"
+}
+
 # run_long FOLDER: figures go there. Every run is made, whatever the one before it found.
 run_long() {
     local figures=$1 release=build/release
+    stage commit write_commit "$figures/commit.json"
     if is_here clang fuzzing && stage "fuzz targets" build fuzz; then
         stage fuzzing python3 -B tests/fuzz/run.py build/fuzz \
             --minutes "${OPENRT_FUZZ_MINUTES:-10}" --json "$figures/fuzz.jsonl"

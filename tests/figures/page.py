@@ -236,6 +236,8 @@ def sizes():
 def page():
     about = read("about.json") or {}
     when = f" Results of {about['date']}, {about['machine']}." if about else ""
+    commit = about.get("commit") or (read("commit.json") or {}).get("commit")
+    when += f" The sources measured: commit `{commit}`." if commit else ""
     lines = [
         "# Hardening in figures", "",
         "What was done to make the library fail, how often, and what came of it. `./check --long` "
