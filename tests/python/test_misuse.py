@@ -144,6 +144,16 @@ def test_what_belongs_to_the_process_is_not_copied():
                 copied(thing)
 
 
+@pytest.mark.parametrize("wrong", [{"wrong": 1.0}, {"diffuse": [1] * 5}, {"diffuse": object()}])
+def test_a_shader_that_is_refused_leaves_none_behind(wrong):
+    kept = openrt.Shader("Phong")
+    with pytest.raises((openrt.Error, ValueError)):
+        openrt.Shader("Phong", shininess=40.0, **wrong)
+    with pytest.raises(openrt.Error):
+        openrt.raw.rtBindShader(kept.id + 1)
+    kept.bind()
+
+
 def test_errors_come_back_from_other_processes():
     with pytest.raises(openrt.Error) as info:
         openrt.instance(12345)

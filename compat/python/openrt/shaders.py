@@ -35,7 +35,11 @@ class Shader:
         with kept_binding():
             self._class = raw.rtGenNewShaderClass(class_name, library)
             self.id = raw.rtGenNewShader()
-        self.set(**parameters)
+        try:
+            self.set(**parameters)
+        except BaseException:
+            self.remove()
+            raise
 
     def __reduce__(self):
         raise TypeError("a Shader belongs to its context and can not be copied")
