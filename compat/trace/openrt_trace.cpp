@@ -26,7 +26,9 @@ namespace {
 
 using namespace smart::compat;
 
-constexpr int kDifferent = 1, kWrongCommandLine = 2, kFailure = 3;
+constexpr int kFailure = 1, kWrongCommandLine = 2, kDifferent = 3;
+/// Of `record`, as of env and timeout: all others are the recorded program's.
+constexpr int kNotRecorded = 125, kNotExecutable = 126, kNotFound = 127, kSignal = 128;
 
 /// Takes away what is to be replaced, so that the library can make the file.
 void makeRoom(const std::string& file) {
@@ -45,7 +47,7 @@ void makeRoom(const std::string& file) {
     unlink(file.c_str());
 }
 
-/// Runs the program with its calls recorded; its exit status.
+/// Runs the program with its calls recorded; the exit status.
 int record(const std::string& file, const std::vector<std::string>& program) {
     const std::string absolute = std::filesystem::absolute(file).string();
     makeRoom(file);
@@ -58,20 +60,20 @@ int record(const std::string& file, const std::vector<std::string>& program) {
             arguments.push_back(const_cast<char*>(word.c_str()));
         arguments.push_back(nullptr);
         execvp(arguments[0], arguments.data());
-        std::cerr << "openrt-trace: " << program[0] << ": " << std::strerror(errno) << '\n';
-        _exit(127);
+        const int reason = errno;
+        std::cerr << "openrt-trace: " << program[0] << ": " << std::strerror(reason) << '\n';
+        _exit(reason == ENOENT ? kNotFound : kNotExecutable);
     }
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    if (!std::filesystem::exists(absolute))
-        std::cerr << "openrt-trace: the program called nothing of OpenRT: there is no " << file
-                  << '\n';
-    if (WIFSIGNALED(status)) {
+    if (WIFSIGNALED(status))
         std::cerr << "openrt-trace: the program was ended by signal " << WTERMSIG(status) << '\n';
-        return 128 + WTERMSIG(status);
-    }
-    return WEXITSTATUS(status);
+    const int ofProgram = WIFSIGNALED(status) ? kSignal + WTERMSIG(status) : WEXITSTATUS(status);
+    if (std::filesystem::exists(absolute) || ofProgram == kNotExecutable || ofProgram == kNotFound)
+        return ofProgram;
+    std::cerr << "openrt-trace: the program called nothing of OpenRT: there is no " << file << '\n';
+    return ofProgram == 0 ? kNotRecorded : ofProgram;
 }
 
 class Replay final : public PlayPolicy {
@@ -148,12 +150,17 @@ int replay(const TraceInput& input, Replay& policy, uint64_t until) {
     return kDifferent;
 }
 
+bool records(int argc, char* argv[]) {
+    return argc > 1 && std::strcmp(argv[1], "record") == 0;
+}
+
 int run(int argc, char* argv[]) {
     CLI::App app(
         "Records what a program calls of OpenRT in a file, plays it again and compares "
         "each frame bit by bit, shows it, or writes it as a C program. The exit status "
-        "is 1 if something is not as recorded, 2 for a wrong command line, 3 if a file "
-        "can not be used.",
+        "is 1 if a file can not be used, 2 for a wrong command line, 3 if something is not as "
+        "recorded. That of record is the program's; or 125 if nothing could be recorded, 126 if "
+        "the program can not be run, 127 if there is none, 128 and the signal that ended it.",
         "openrt-trace");
     app.set_version_flag("--version", "openrt-trace " OPENRT_VERSION_STRING);
     app.require_subcommand(1);
@@ -162,9 +169,8 @@ int run(int argc, char* argv[]) {
     std::vector<std::string> program;
     uint64_t until = 0;
     CLI::App* const recording = app.add_subcommand("record",
-                                                   "runs a program and records its calls; "
-                                                   "the exit status is the program's");
-    recording->add_option("-o,--output", file, "where to")
+                                                   "runs a program and records its calls");
+    recording->add_option("-o,--output", file, "recording to write")
         ->type_name("FILE")
         ->capture_default_str();
     recording->add_option("PROGRAM", program, "the program and its arguments")->required();
@@ -174,7 +180,7 @@ int run(int argc, char* argv[]) {
                                                  "makes the calls again and compares each "
                                                  "frame with the recorded one");
     playing->add_option("FILE", file, "a recording")->required();
-    playing->add_option("--output", output, "writes each frame, with its number for %d")
+    playing->add_option("-o,--output", output, "writes each frame, with its number for %d")
         ->type_name("frame%03d.png")
         ->check(&faultOfPattern);
     playing->add_option("--until", until, "makes the first N calls only")
@@ -197,7 +203,7 @@ int run(int argc, char* argv[]) {
     dump->add_option("FILE", file, "a recording")->required();
     // All that follows PROGRAM is the program's.
     std::vector<std::string> words(argv + 1, argv + argc), own = words;
-    if (!words.empty() && words[0] == "record") {
+    if (records(argc, argv)) {
         std::size_t first = 1;
         while (first < words.size() && words[first].starts_with("-"))
             first += words[first] == "-o" || words[first] == "--output" ? 2 : 1;
@@ -212,7 +218,7 @@ int run(int argc, char* argv[]) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
         std::cerr << "openrt-trace: " << error.what() << '\n';
-        return kWrongCommandLine;
+        return records(argc, argv) ? kNotRecorded : kWrongCommandLine;
     }
     if (recording->parsed()) return record(file, whole);
     if (playing->parsed()) {
@@ -226,17 +232,18 @@ int run(int argc, char* argv[]) {
     return 0;
 }
 
-int statusOf(int argc, char* argv[]) {
+int statusOf(int argc, char* argv[], int failure) {
     try {
         return run(argc, argv);
     } catch (const std::exception& error) {
         std::cerr << "openrt-trace: " << error.what() << '\n';
-        return kFailure;
+        return failure;
     }
 }
 
 } // namespace
 
 int main(int argc, char* argv[]) {
-    return samples::finishOutput("openrt-trace", statusOf(argc, argv), kFailure);
+    const int failure = records(argc, argv) ? kNotRecorded : kFailure;
+    return samples::finishOutput("openrt-trace", statusOf(argc, argv, failure), failure);
 }

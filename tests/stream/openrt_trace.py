@@ -63,7 +63,7 @@ class Trace(unittest.TestCase):
         self.record(ARGUMENTS.program, "threads")
         self.replayed()
         result = self.trace("source", self.file)
-        self.assertEqual(result.returncode, 3)
+        self.assertEqual(result.returncode, 1)
         self.assertIn("several threads", result.stderr)
 
     def test_more_threads_than_there_are_numbers_for_end_the_recording(self):
@@ -105,7 +105,7 @@ class Trace(unittest.TestCase):
 
     def test_pictures(self):
         self.record(ARGUMENTS.program)
-        result = self.trace("replay", self.file, "--output", "frame%03d.png")
+        result = self.trace("replay", self.file, "-o", "frame%03d.png")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         pictures = sorted(p.name for p in self.folder.glob("*.png"))
         self.assertEqual(pictures, [f"frame{i:03d}.png" for i in range(1, 6)])
@@ -132,14 +132,14 @@ class Trace(unittest.TestCase):
                 result = subprocess.run([ARGUMENTS.trace, command, self.file], stdout=full,
                                         stderr=subprocess.PIPE, text=True, timeout=120)
             self.assertEqual((result.returncode, result.stderr),
-                             (3, "openrt-trace: the output can not be written\n"), command)
+                             (1, "openrt-trace: the output can not be written\n"), command)
 
     def test_what_is_no_file_is_neither_replaced_nor_played(self):
         pipe = self.folder / "pipe"
         os.mkfifo(pipe)
         for name in (pipe, self.folder, self.folder / "nowhere" / "calls.ort"):
             result = self.trace("record", "-o", name, ARGUMENTS.program)
-            self.assertEqual((result.returncode, result.stdout), (3, ""), result.stderr)
+            self.assertEqual((result.returncode, result.stdout), (125, ""), result.stderr)
             self.assertRegex(result.stderr, rf"\Aopenrt-trace: {name}: .*\n\Z")
         self.assertTrue(pipe.is_fifo())
         missing = self.folder / "nowhere"
@@ -148,7 +148,7 @@ class Trace(unittest.TestCase):
                              (missing, "No such file or directory")):
             result = self.trace("info", name)
             self.assertEqual((result.returncode, result.stderr),
-                             (3, f"openrt-trace: {name}: {reason}\n"))
+                             (1, f"openrt-trace: {name}: {reason}\n"))
 
     def test_info_and_dump(self):
         self.record(ARGUMENTS.program)
@@ -176,25 +176,41 @@ class Trace(unittest.TestCase):
         self.file.write_bytes(data)
         for command in ("replay", "dump", "info", "source"):
             result = self.trace(command, self.file)
-            self.assertIn(result.returncode, (0, 3))
+            self.assertIn(result.returncode, (0, 1))
             if command == "replay":
-                self.assertEqual(result.returncode, 3)
+                self.assertEqual(result.returncode, 1)
                 self.assertIn("damaged", result.stderr)
 
     def test_wrong_command_lines(self):
         self.assertEqual(self.trace().returncode, 2)
         self.assertEqual(self.trace("paint").returncode, 2)
-        self.assertEqual(self.trace("record").returncode, 2)
-        self.assertEqual(self.trace("replay", "nothing.ort").returncode, 3)
+        self.assertEqual(self.trace("record").returncode, 125)
+        self.assertEqual(self.trace("record", "--paint", ARGUMENTS.program).returncode, 125)
+        self.assertEqual(self.trace("replay", "nothing.ort").returncode, 1)
         (self.folder / "text").write_text("no recording" * 10)
-        self.assertEqual(self.trace("info", "text").returncode, 3)
+        self.assertEqual(self.trace("info", "text").returncode, 1)
         self.assertEqual(self.trace("--version").returncode, 0)
         self.assertEqual(self.trace("--help").returncode, 0)
 
     def test_status_of_the_program(self):
-        result = self.trace("record", "-o", self.file, "sh", "-c", "exit 7")
-        self.assertEqual(result.returncode, 7)
-        self.assertIn("called nothing of OpenRT", result.stderr)
+        for script, status in (("exit 7", 7), ("exit 3", 3), ("kill -KILL $$", 137), ("true", 125)):
+            result = self.trace("record", "-o", self.file, "sh", "-c", script)
+            self.assertEqual(result.returncode, status, script)
+            self.assertIn("called nothing of OpenRT", result.stderr)
+        result = self.trace("record", "-o", self.file, "sh", "-c", f"{ARGUMENTS.program}; exit 3")
+        self.assertEqual((result.returncode, result.stderr), (3, ""))
+        (self.folder / "file").touch(mode=0o644)
+        for program, status, reason in ((self.folder / "none", 127, "No such file or directory"),
+                                        (self.folder / "file", 126, "Permission denied")):
+            result = self.trace("record", "-o", self.file, program)
+            self.assertEqual((result.returncode, result.stderr),
+                             (status, f"openrt-trace: {program}: {reason}\n"))
+
+    def test_a_frame_that_is_not_as_recorded(self):
+        self.record(ARGUMENTS.program, "painted over")
+        result = self.trace("replay", self.file)
+        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+        self.assertIn("frame 1 is not as recorded\n", result.stdout)
 
     def test_existing_files_are_not_overwritten_by_programs(self):
         self.file.write_text("mine")

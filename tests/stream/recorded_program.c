@@ -255,6 +255,12 @@ static void sameMemory(const char *way)
         pthread_create(&thread, NULL, waitForFrame, &frames[1]);
         pthread_join(thread, NULL);
     }
+    if (strcmp(way, "painted over") == 0) {
+        while (rtFrameStatus(frames[1]) != RT_DONE) {
+        }
+        pixels[0][0] ^= 255;
+        rtWaitFrame(frames[1]);
+    }
     if (strcmp(way, "another context") == 0) {
         rtInit(NULL, NULL);
         rtSetFrameBuffer(pixels[0], WIDTH, HEIGHT, RT_RGBA_8);
