@@ -48,12 +48,40 @@ class CommandLine(unittest.TestCase):
                           ["--cases", "nosuch", "--times"]):
             self.assertIn("none is called so", self.check_refused(*arguments))
 
+    def fake_program(self, folder, *lines):
+        folder.mkdir()
+        program = folder / "state"
+        program.write_text("#!/bin/sh\ncat <<'END'\n" + "\n".join(lines) + "\nEND\n")
+        program.chmod(0o755)
+
+    def test_list(self):
+        listed = run("--list", *ONE_CASE, "--openrt-programs", "/no/programs")
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        told = [line.split()[1] for line in run(*ONE_CASE).stdout.splitlines()[:-1]]
+        self.assertEqual(listed.stdout.splitlines(), told)
+        self.assertGreater(len(told), 100)
+
+    def test_what_is_listed_is_answered_and_nothing_else(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            self.fake_program(folder / "gl", "case same", "1", "case other", "1", "case more")
+            self.fake_program(folder / "rt", "case same", "1", "case other", "2")
+            (folder / "gl/state.cases").write_text("same\nother\nmissing\n")
+            result = run(*ONE_CASE, "--opengl-programs", folder / "gl", "--openrt-programs",
+                         folder / "rt")
+        self.assertEqual(result.stdout.splitlines(), [
+            "FAILED state/missing", "    not answered. ",
+            "FAILED state/other", "    OpenGL: 1; the library: 2", "passed state/same",
+            "FAILED state/ends", "    answers more, which was not listed",
+            "1 of 4 cases passed"])
+        self.assertEqual(result.returncode, 3)
+
     def test_full_disk(self):
         for arguments in (["--list"], ONE_CASE):
             with open("/dev/full", "wb") as full:
                 result = run(*arguments, stdout=full)
             self.assertEqual((result.returncode, result.stderr),
-                             (3, "openrt-conformance: the output can not be written\n"))
+                             (1, "openrt-conformance: the output can not be written\n"))
 
 
 if __name__ == "__main__":
