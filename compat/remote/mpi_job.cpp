@@ -16,11 +16,13 @@ bool isMoreThanOne(const char* variable) {
     return text && std::atoi(text) > 1;
 }
 
-/// Beside this library, or where the system looks.
+/// Beside this library, or where the system looks. This library stays until the process ends then:
+/// the end of MPI unloads what nobody holds any more, while this library waits for it.
 void* openLibrary() {
     Dl_info info;
     if (dladdr(reinterpret_cast<void*>(&openMpi), &info) != 0 && info.dli_fname) {
         const std::string own = info.dli_fname;
+        dlopen(own.c_str(), RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
         const std::size_t slash = own.rfind('/');
         if (slash != std::string::npos)
             if (void* library = dlopen((own.substr(0, slash + 1) + kLibrary).c_str(), RTLD_NOW))

@@ -37,5 +37,5 @@ int main(int argc, char *argv[]) {
     fwrite(pixels, 1, sizeof pixels, output);
     fclose(output);
     CALL(rtExit, (void), );
-    return 0;
+    return dlclose(library);
 }
