@@ -4,7 +4,7 @@
 
 _openrt() {
     local program=${COMP_WORDS[0]} current=${COMP_WORDS[COMP_CWORD]} help subcommands word
-    local before=${COMP_WORDS[COMP_CWORD - 1]} told=()
+    local before=${COMP_WORDS[COMP_CWORD - 1]} told=() values= listed=
     program=${program/#~\//"$HOME"/}
     help=$("$program" --help 2>/dev/null) || return
     subcommands=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p' <<<"$help")
@@ -15,17 +15,18 @@ _openrt() {
             break
         fi
     done
-    case $before in
-        --precision) told=(fast watertight precise) ;;
-        --isa) told=(generic sse4 avx2 avx512 neon) ;;
-        *)
-            if [[ $current == -* ]]; then
-                told=($(sed -n 's/^  \(-[^ {]*\).*/\1/p' <<<"$help" | tr , '\n'))
-            else
-                told=($subcommands)
-            fi ;;
-    esac
-    COMPREPLY=($(compgen -W "${told[*]}" -- "$current"))
+    if [[ $before =~ ^--[a-z-]+$ ]]; then
+        values=$(sed -n "s/^  $before [^ {]*{\([^}]*\)}.*/\1/p" <<<"$help")
+    fi
+    if [[ $values ]]; then
+        told=(${values//,/ })
+        [[ $current == *,* ]] && listed=${current%,*},
+    elif [[ $current == -* ]]; then
+        told=($(sed -n 's/^  \(-[^ {]*\).*/\1/p' <<<"$help" | tr , '\n'))
+    else
+        told=($subcommands)
+    fi
+    COMPREPLY=($(compgen -P "$listed" -W "${told[*]}" -- "${current#"$listed"}"))
 }
 complete -o default -F _openrt openrt-info openrt-render openrt-view openrt-cave openrt-xr \
     openrt-trace openrt-bench openrt-accuracy openrt-conformance

@@ -71,7 +71,9 @@ void SceneOptions::addTo(CLI::App& app) {
     app.add_option("--threads", threads, "rendering threads, 0 for all cores")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    app.add_option("--precision", precision, "fast, watertight or precise")->capture_default_str();
+    app.add_option("--precision", precision, "how exact intersections are")
+        ->check(CLI::IsMember({"fast", "watertight", "precise"}))
+        ->capture_default_str();
 }
 
 void SceneOptions::addSizeTo(CLI::App& app) {
@@ -140,10 +142,6 @@ std::optional<View> viewFrom(const SceneOptions& options) {
 
 void applySettings(const SceneOptions& options) {
     const bool fast = options.precision == "fast", precise = options.precision == "precise";
-    if (!fast && !precise && options.precision != "watertight") {
-        throw CLI::ValidationError("--precision " + options.precision +
-                                   ": there are fast, watertight and precise");
-    }
     rtHint(RT_PRECISION_HINT, fast ? RT_FASTEST : precise ? RT_NICEST : RT_DONT_CARE);
     rtThreads(options.threads);
     rtSamples(options.samples);

@@ -1,37 +1,28 @@
 // SPDX-License-Identifier: MIT
 // openrt-accuracy: what each engine and mode gets wrong in the hard cases, and what each costs.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>
-#include <thread>
 
 #include "libsmart/kernel/kernels.h"
 #include "openrt/version.h"
 #include "samples/common/standard_output.h"
 #include "tests/accuracy/accuracy_report.h"
-#include "tests/bench/json_file.h"
+#include "tests/bench/command.h"
+#include "tests/bench/options.h"
 
 namespace smart::test {
 namespace {
-
-constexpr int kExitError = 1, kExitUsage = 2, kExitBroken = 3;
 
 struct Options {
     RunSize size;
     SpeedOptions speed;
     std::vector<std::string> cases, engines, scenes;
-    std::vector<double> camera, light;
-    std::string isa, cameras, name, json;
+    bench::ViewOptions view;
+    std::string isa, json;
     bool table = false, list = false;
 };
-
-void showProgress(const std::string& text) {
-    static const bool terminal = isatty(STDERR_FILENO);
-    if (terminal) std::cerr << '\r' << text << "\033[K" << std::flush;
-}
 
 bool startsWithOneOf(const std::string& name, const std::vector<std::string>& starts) {
     return std::any_of(starts.begin(), starts.end(),
@@ -88,27 +79,11 @@ void printNames() {
 
 void measureSpeeds(const Options& options, AccuracyReport& report) {
     for (const std::string& scene : options.scenes) {
-        showProgress(scene);
+        bench::showProgress(scene);
         SpeedOptions speed = options.speed;
         speed.scene = scene;
         speed.buildThreads = options.size.threads;
-        if (!options.cameras.empty()) {
-            // The line that --name says, or the one named like the file.
-            std::string name = options.name;
-            if (name.empty()) {
-                name = scene.substr(scene.find_last_of('/') + 1);
-                name = name.substr(0, name.find('.'));
-            }
-            speed.view = bench::readView(options.cameras, name);
-        }
-        if (!options.camera.empty()) {
-            const std::vector<double>& c = options.camera;
-            std::copy_n(&c[0], 3, speed.view.camera.eye);
-            std::copy_n(&c[3], 3, speed.view.camera.target);
-            std::copy_n(&c[6], 3, speed.view.camera.up);
-            speed.view.camera.fov = c[9];
-        }
-        if (!options.light.empty()) std::copy_n(options.light.begin(), 3, speed.view.light);
+        speed.view = options.view.view(scene);
         report.speeds.push_back(measureScene(speed));
     }
 }
@@ -118,10 +93,7 @@ int run(const Options& options) {
         printNames();
         return 0;
     }
-    if (!options.isa.empty() && !selectKernels(options.isa.c_str()))
-        throw CLI::ValidationError("--isa " + options.isa + ": not in this library or machine");
-    if (options.speed.size == 0 || options.speed.size % 4 != 0)
-        throw CLI::ValidationError("--size: must be a multiple of 4");
+    bench::selectIsa(options.isa);
     const std::vector<EngineKind> engines = chosenEngines(options.engines);
     AccuracyReport report;
     report.isa = kernels().name;
@@ -130,42 +102,44 @@ int run(const Options& options) {
     report.rays = options.size.rays;
     for (const NamedCase& named : hardCases()) {
         if (!wanted(options, named.name)) continue;
-        showProgress(named.name);
+        bench::showProgress(named.name);
         report.cases.push_back(runCase(named, engines, options.size));
     }
     if (wanted(options, kSecondary)) {
-        showProgress(kSecondary);
+        bench::showProgress(kSecondary);
         report.secondary = runSecondary(engines, std::max<std::size_t>(1, options.size.rays / 5),
                                         options.size.threads, options.size.seed);
     }
     measureSpeeds(options, report);
-    showProgress("");
+    bench::showProgress("");
     if (options.table) report.printTable(std::cout);
     bench::writeJson(options.json, report.json());
     if (report.cases.empty() && report.secondary.empty()) return 0; // no promise was tested
     const std::string broken = report.brokenPromises();
     std::cout << (broken.empty() ? "All promises are kept.\n" : broken);
-    return broken.empty() ? 0 : kExitBroken;
+    return broken.empty() ? 0 : bench::kExitRefused;
 }
 
 int statusOf(int argc, char** argv) {
     Options options;
     CLI::App app(
         "Judges engines by exact arithmetic in the hard cases H1 to H12, and measures what "
-        "each mode costs. Exit codes: 1 error, 2 wrong options, 3 a mode of the library broke a "
-        "promise.",
+        "each mode costs. The exit status is 1 for an error, 2 for a wrong command line, 3 if a mode "
+        "of the library broke a promise.",
         "openrt-accuracy");
     app.set_version_flag("--version", "openrt-accuracy " OPENRT_VERSION_STRING);
     auto& size = options.size;
-    size.threads = std::max(1u, std::thread::hardware_concurrency());
     app.add_option("--rays", size.rays, "rays of the largest cases; others get their share")
-        ->check(CLI::Range(std::size_t(1), std::size_t(1) << 40));
+        ->check(CLI::Range(std::size_t(1), std::size_t(1) << 40))
+        ->capture_default_str();
     app.add_option("--identity", size.identityRays,
-                   "rays of each case that go through every instruction set and form");
+                   "rays of each case that go through every instruction set and form")
+        ->capture_default_str();
     app.add_option("--brute-tests", size.bruteTests,
-                   "triangle tests of each case for engines without a tree");
-    app.add_option("--seed", size.seed, "of all rays");
-    app.add_option("--threads", size.threads)->check(CLI::Range(1, 1024));
+                   "triangle tests of each case for engines without a tree")
+        ->capture_default_str();
+    app.add_option("--seed", size.seed, "of all rays")->capture_default_str();
+    bench::addThreads(app, size.threads, "threads");
     app.add_option("--cases", options.cases, "how their names start, or none; all if not given")
         ->delimiter(',')
         ->check(&faultOfCase);
@@ -176,18 +150,10 @@ int statusOf(int argc, char** argv) {
     app.add_flag("--list", options.list, "print the names of cases and engines");
     app.add_option("--scene", options.scenes, "also measure speeds on a .tri file or generated:N")
         ->delimiter(',');
-    app.add_option("--cameras", options.cameras, "file of views: name and 13 numbers a line");
-    app.add_option("--name", options.name,
-                   "which line of --cameras; the scene's name if not given");
-    app.add_option("--camera", options.camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
-        ->delimiter(',')
-        ->expected(10);
-    app.add_option("--light", options.light, "x,y,z")->delimiter(',')->expected(3);
-    app.add_option("--size", options.speed.size, "width and height of a scene's picture")
-        ->check(CLI::Range(4, 16384));
-    app.add_option("--repeat", options.speed.repeat, "measurements of each kind")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--isa", options.isa, "generic, sse4, avx2, avx512, neon");
+    options.view.add(app);
+    bench::addSize(app, options.speed.size);
+    bench::addRepeat(app, options.speed.repeat);
+    bench::addIsa(app, options.isa);
     bench::addJson(app, options.json);
     app.add_flag("--table", options.table, "print the figures");
     try {
@@ -196,10 +162,13 @@ int statusOf(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
         std::cerr << "openrt-accuracy: " << error.what() << '\n';
-        return kExitUsage;
+        return bench::kExitUsage;
+    } catch (const bench::UsageError& error) {
+        std::cerr << "openrt-accuracy: " << error.what() << '\n';
+        return bench::kExitUsage;
     } catch (const std::exception& error) {
         std::cerr << "openrt-accuracy: " << error.what() << '\n';
-        return kExitError;
+        return bench::kExitError;
     }
 }
 
@@ -208,5 +177,5 @@ int statusOf(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace smart::test;
-    return samples::finishOutput("openrt-accuracy", statusOf(argc, argv), kExitError);
+    return samples::finishOutput("openrt-accuracy", statusOf(argc, argv), smart::bench::kExitError);
 }

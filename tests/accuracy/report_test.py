@@ -3,6 +3,7 @@
 """openrt-accuracy writes a report, and plot.py makes pictures and tables of it."""
 import argparse
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -34,6 +35,7 @@ class Report(unittest.TestCase):
 
     def test_wrong_options(self):
         for arguments in (["--no"], ["--size", "6"], ["--size", "many"], ["--isa", "none"],
+                          ["--threads", "1025"],
                           ["--cases", "H99"], ["--cases", "H1,none-of-these"],
                           ["--engines", "nobody"], ["--engines", "all,nobody"]):
             done = self.run_program(*arguments)
@@ -44,6 +46,15 @@ class Report(unittest.TestCase):
         done = self.run_program("--cases", "none", "--scene", "generated:200", "--size", "8",
                                 "--repeat", "1", "--threads", "1")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_threads(self):
+        for arguments, count in ((["--threads", "0"], len(os.sched_getaffinity(0))),
+                                 (["--threads", "1"], 1)):
+            report = self.path / "threads.json"
+            done = self.run_program("--rays", "10", "--identity", "10", "--cases",
+                                    "H1-exact-vert", "--json", str(report), *arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["threads"], count)
 
     def test_report_and_pictures(self):
         report = self.path / "report.json"

@@ -54,7 +54,7 @@ struct DynamicOptions {
     std::vector<uint32_t> instances{100, 1000, 10000};
     uint32_t sheet = 200000; ///< triangles; 0: none
     uint32_t size = 512;
-    unsigned threads = 2, repeat = 9;
+    unsigned threads = 1, repeat = 9;
     bool embree = false;
     bool plantError = false; ///< the first engine of a series stays a step behind
 };

@@ -47,16 +47,21 @@ Run addDynamic(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     app.add_option("--instances", options->instances, "numbers of moving instances, or 0 for none")
         ->delimiter(',')
-        ->check(CLI::Range(0, 10'000'000));
+        ->check(CLI::Range(0, 10'000'000))
+        ->capture_default_str();
     app.add_option("--sheet", options->sheet, "triangles of the deforming sheet, or 0 for none")
-        ->check(CLI::Range(0, 100'000'000));
+        ->check(CLI::Range(0, 100'000'000))
+        ->capture_default_str();
     app.add_option("--queue", options->queue, "frames to watch the queue with, or 0 for none")
-        ->check(CLI::Range(0, 1'000'000));
+        ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str();
     app.add_option("--decay", options->decay,
-                   "updates of the sheet after which rays are timed against a fresh object, or 0")
-        ->check(CLI::Range(0, 100'000));
+                   "updates of the sheet after which rays are timed against a fresh object, or 0 for "
+                   "none")
+        ->check(CLI::Range(0, 100'000))
+        ->capture_default_str();
     addSize(app, options->size);
-    addThreads(app, options->threads);
+    addThreads(app, options->threads, "threads");
     addRepeat(app, options->repeat);
     addJson(app, options->json);
     addPeers(app, options->peers);

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""openrt-bench tells what is wrong with a file before it measures anything, as openrt-render does.
+"""openrt-bench tells what is wrong with a file before it measures anything, as openrt-render does,
+and writes its figures.
 
 usage: files_test.py OPENRT_BENCH
 """
 import json
+import os
 import pathlib
 import struct
 import subprocess
@@ -40,6 +42,20 @@ class Files(unittest.TestCase):
         result = self.run_program(*MEMORY, "figures.json")
         self.assertEqual(result.returncode, 0, result.stderr)
         json.loads((self.folder / "figures.json").read_text(encoding="utf-8"))
+
+    def test_threads(self):
+        def measured(*arguments):
+            self.assertEqual(self.run_program("build", "--scene", "generated:100", "--size", "16",
+                                              "--repeat", "1", "--json", "figures.json",
+                                              *arguments).returncode, 0)
+            text = (self.folder / "figures.json").read_text(encoding="utf-8")
+            return {int(n) for n in json.loads(text)["builders"][0]["build_seconds"]}
+        all_cores = {1, len(os.sched_getaffinity(0))}
+        self.assertEqual([measured(), measured("--threads", "0"), measured("--threads", "1")],
+                         [all_cores, all_cores, {1}])
+        for wrong in ("-1", "1025"):
+            result = self.run_program(*RAYS, "generated:100", "--threads", wrong)
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
 
     def test_scene(self):
         def tri(count):

@@ -14,7 +14,7 @@ struct Options {
     std::string scene, surface, isa, json;
     ViewOptions view;
     uint32_t size = 1024;
-    unsigned threads = processorCount(), repeat = 5;
+    unsigned threads = 1, repeat = 5;
 };
 
 nlohmann::json toJson(const FrameReport& report) {
@@ -35,7 +35,7 @@ nlohmann::json toJson(const FrameReport& report) {
 int run(const Options& options) {
     selectIsa(options.isa);
     const FrameReport report =
-        measureFrames(readTriangles(options.scene), options.view.view(), options.surface,
+        measureFrames(readTriangles(options.scene), options.view.view(options.scene), options.surface,
                       options.size, options.threads, options.repeat, showProgress);
     showProgress("");
     std::cout << report;
@@ -51,7 +51,7 @@ Run addFrame(CLI::App& app) {
     options->view.add(app);
     app.add_option("--surface", options->surface, "only surfaces whose name begins so");
     addSize(app, options->size);
-    addThreads(app, options->threads);
+    addThreads(app, options->threads, "threads measured beside one thread");
     addRepeat(app, options->repeat);
     addIsa(app, options->isa);
     addJson(app, options->json);

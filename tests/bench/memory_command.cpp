@@ -15,10 +15,12 @@ Run addMemory(CLI::App& app) {
         std::string json;
     };
     const auto options = std::make_shared<Options>();
-    app.add_option("--triangles", options->triangles, "of an object")
-        ->check(CLI::Range(40, 100'000'000));
-    app.add_option("--objects", options->objects, "of which a tenth is seen")
-        ->check(CLI::Range(1, 1'000'000));
+    app.add_option("--triangles", options->triangles, "triangles of an object")
+        ->check(CLI::Range(40, 100'000'000))
+        ->capture_default_str();
+    app.add_option("--objects", options->objects, "objects, of which a tenth is seen")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
     addJson(app, options->json);
     return [options] {
         const MemoryReport report = measureMemory(options->triangles, options->objects);

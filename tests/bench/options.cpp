@@ -5,25 +5,30 @@
 
 #include <algorithm>
 #include <iostream>
-#include <thread>
 
+#include "libsmart/render/worker.h"
 #include "tests/bench/command.h"
 
 namespace smart::bench {
 
 void ViewOptions::add(CLI::App& app) {
-    app.add_option("--camera", camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov")
+    app.add_option("--camera", camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov: eye, target, upwards, "
+                                       "vertical field of view in degrees")
         ->delimiter(',')
         ->expected(10);
-    app.add_option("--light", light, "x,y,z")->delimiter(',')->expected(3);
+    app.add_option("--light", light, "x,y,z: a point light")->delimiter(',')->expected(3);
     CLI::Option* const file =
-        app.add_option("--cameras", cameras, "file of views: name and 13 numbers a line");
-    app.add_option("--name", name, "which line of --cameras")->needs(file);
+        app.add_option("--cameras", cameras,
+                       "file of views: on each line a name, the numbers of --camera, and of --light");
+    app.add_option("--name", name, "which line of --cameras; the scene's name if not given")->needs(file);
 }
 
-View ViewOptions::view() const {
+View ViewOptions::view(const std::string& scene) const {
     View view;
-    if (!cameras.empty()) view = readView(cameras, name);
+    if (!cameras.empty()) {
+        const std::string file = scene.substr(scene.find_last_of('/') + 1);
+        view = readView(cameras, name.empty() ? file.substr(0, file.find('.')) : name);
+    }
     if (!camera.empty()) {
         test::CameraPose& pose = view.camera;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -35,10 +40,6 @@ View ViewOptions::view() const {
     }
     if (!light.empty()) std::copy_n(light.begin(), 3, view.light);
     return view;
-}
-
-unsigned processorCount() {
-    return std::max(1u, std::thread::hardware_concurrency());
 }
 
 std::vector<unsigned> threadCounts(unsigned most) {
@@ -59,10 +60,12 @@ void addSize(CLI::App& app, uint32_t& size) {
         ->capture_default_str();
 }
 
-void addThreads(CLI::App& app, unsigned& threads) {
-    app.add_option("--threads", threads, "measured beside one thread")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+void addThreads(CLI::App& app, unsigned& threads, const std::string& what) {
+    const auto set = [&threads](unsigned count) { threads = count > 0 ? count : coreCount(); };
+    set(0);
+    app.add_option_function<unsigned>("--threads", set, what + ", 0 for all cores")
+        ->check(CLI::Range(0, 1024))
+        ->default_str("0");
 }
 
 void addRepeat(CLI::App& app, unsigned& repeat) {

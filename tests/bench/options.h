@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Options that several subcommands share, so that they are called and checked alike.
+// Options that openrt-accuracy and several subcommands of openrt-bench share, so that they are called
+// and checked alike.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -18,16 +19,17 @@ struct ViewOptions {
     std::vector<double> camera, light;
 
     void add(CLI::App& app);
-    View view() const;
+    /// Of --cameras the line that --name says, or the one named like the scene's file.
+    View view(const std::string& scene) const;
 };
 
-unsigned processorCount();
 /// One, and `most` where that is more.
 std::vector<unsigned> threadCounts(unsigned most);
 
 void addScene(CLI::App& app, std::string& scene);
 void addSize(CLI::App& app, uint32_t& size);
-void addThreads(CLI::App& app, unsigned& threads);
+/// All cores unless something else is given. `what`: the threads do.
+void addThreads(CLI::App& app, unsigned& threads, const std::string& what);
 void addRepeat(CLI::App& app, unsigned& repeat);
 void addIsa(CLI::App& app, std::string& isa);
 void addPrecision(CLI::App& app, std::string& precision);

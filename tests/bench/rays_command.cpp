@@ -23,7 +23,7 @@ struct Options {
     ViewOptions view;
     std::vector<std::string> peers, kinds;
     uint32_t size = 1024;
-    unsigned threads = processorCount(), repeat = 5;
+    unsigned threads = 1, repeat = 5;
     uint64_t seed = 1;
     bool plantError = false;
 
@@ -102,7 +102,7 @@ int run(const Options& options) {
 #ifdef OPENRT_BENCH_EMBREE
     if (wantsEmbree(options.peers)) peers = embreeEngines(triangles, options.threads, options.isa);
 #endif
-    const RayMaker maker(options.view.view(), options.size, scene, triangles);
+    const RayMaker maker(options.view.view(options.scene), options.size, scene, triangles);
     const Truth truth(triangles);
     const EnginePtr referee = preciseEngine(scene);
     for (const Kind kind : kKinds) {
@@ -135,7 +135,7 @@ Run addRays(CLI::App& app) {
     addScene(app, options->scene);
     options->view.add(app);
     addSize(app, options->size);
-    addThreads(app, options->threads);
+    addThreads(app, options->threads, "threads measured beside one thread");
     addRepeat(app, options->repeat);
     addIsa(app, options->isa);
     addPrecision(app, options->precision);

@@ -137,7 +137,8 @@ Run addRecovery(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     addRepeat(app, options->repeat);
     app.add_option("--stall-after", options->stallAfter, "milliseconds until a tile is late")
-        ->check(CLI::Range(50u, 60000u));
+        ->check(CLI::Range(50u, 60000u))
+        ->capture_default_str();
     return [options] { return run(*options); };
 }
 

@@ -13,6 +13,7 @@
 
 #include "libsmart/render/tile_order.h"
 #include "libsmart/render/tracers.h"
+#include "libsmart/render/worker.h"
 #include "tests/bench/command.h"
 #include "tests/bench/openrt_engine.h"
 #include "tests/bench/options.h"
@@ -156,9 +157,9 @@ bool checkModel(const RemoteCosts& measured, const Options& options) {
 int run(const Options& options) {
     const std::vector<Triangle> triangles = readTriangles(options.scene);
     BuildReport built;
-    const ScenePtr scene = buildOpenrt(triangles, Precision::Watertight, processorCount(), built);
+    const ScenePtr scene = buildOpenrt(triangles, Precision::Watertight, coreCount(), built);
     std::vector<float> floats;
-    const std::shared_ptr<Frame> frame = phongFrame(scene, options.view.view(), options.size, floats);
+    const std::shared_ptr<Frame> frame = phongFrame(scene, options.view.view(options.scene), options.size, floats);
     std::vector<uint32_t> pixels(std::size_t(options.size) * options.size);
     frame->target.memory = pixels.data();
     frame->target.format = PixelFormat::Rgba8;
@@ -210,11 +211,15 @@ Run addRemote(CLI::App& app) {
     options->view.add(app);
     addRepeat(app, options->repeat);
     app.add_option("--workers", options->workers, "ranks beside the first, up to so many")
-        ->check(CLI::Range(1u, 16u));
-    app.add_option("--threads-a-rank", options->threads, "of the machines that are computed")
-        ->check(CLI::Range(1u, 1024u));
-    app.add_option("--tile-time", options->millisecondsOfTile, "milliseconds, simulated")
-        ->check(CLI::Range(0.1, 100.0));
+        ->check(CLI::Range(1u, 16u))
+        ->capture_default_str();
+    app.add_option("--threads-a-rank", options->threads,
+                   "threads of each of the machines that are computed")
+        ->check(CLI::Range(1u, 1024u))
+        ->capture_default_str();
+    app.add_option("--tile-time", options->millisecondsOfTile, "milliseconds of a tile, simulated")
+        ->check(CLI::Range(0.1, 100.0))
+        ->capture_default_str();
     return [options] { return run(*options); };
 }
 

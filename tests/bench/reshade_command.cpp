@@ -12,7 +12,7 @@ namespace {
 struct Options {
     std::string scene;
     uint32_t instances = 1000;
-    unsigned threads = processorCount();
+    unsigned threads = 1;
 };
 
 } // namespace
@@ -20,10 +20,10 @@ struct Options {
 Run addReshade(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     addScene(app, options->scene);
-    app.add_option("--instances", options->instances)
+    app.add_option("--instances", options->instances, "instances, each with shaders of its own")
         ->check(CLI::Range(1, 10'000'000))
         ->capture_default_str();
-    addThreads(app, options->threads);
+    addThreads(app, options->threads, "threads that build");
     return [options] {
         std::cout << measureReshading(readTriangles(options->scene), options->instances,
                                       options->threads);

@@ -11,6 +11,7 @@
 
 #include "libsmart/render/tile_order.h"
 #include "libsmart/render/tracers.h"
+#include "libsmart/render/worker.h"
 #include "tests/bench/command.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/measurement.h"
@@ -96,7 +97,7 @@ struct Contest {
 Contest contestOf(const std::vector<Triangle>& triangles, const Options& options, Point& point) {
     Contest contest;
     BuildReport report;
-    contest.scene = buildOpenrt(triangles, Precision::Watertight, processorCount(), report);
+    contest.scene = buildOpenrt(triangles, Precision::Watertight, coreCount(), report);
     point.buildMs = (report.seconds + prepareTiles(*contest.scene).seconds) * 1e3;
     contest.ours =
         openrtEngines(contest.scene, Precision::Watertight, Coherence::Coherent, false);
@@ -107,7 +108,7 @@ Contest contestOf(const std::vector<Triangle>& triangles, const Options& options
 #ifdef OPENRT_BENCH_EMBREE
     if (wantsEmbree(options.peers)) {
         for (EnginePtr& engine : embreeEngines(triangles, EmbreeQuality::Medium, false,
-                                               processorCount(), options.isa)) {
+                                               coreCount(), options.isa)) {
             if (engine->name().starts_with("embree 16 coherent"))
                 contest.embree.push_back(std::move(engine));
         }
