@@ -73,10 +73,11 @@ def token_header(rows, versions, guard, title):
 
 
 def refused_header(rows):
-    out = ["/* SPDX-License-Identifier: MIT */", f"/* {NOTE} */",
+    out = ["/* SPDX-License-Identifier: MIT */",
            "/* The functions of OpenGL 1.5 which this release declares and does not carry out. Each",
            " * records RT_INVALID_OPERATION with a text that names it, changes nothing and returns 0,",
-           " * NULL or RT_FALSE. The others are in openrt/rt.h. */",
+           " * NULL or RT_FALSE. The others are in openrt/rt.h.",
+           f" * {NOTE} */",
            "#ifndef OPENRT_RT_GL_H", "#define OPENRT_RT_GL_H", "",
            '#include "openrt/types.h"', "", "#ifdef __cplusplus", 'extern "C" {', "#endif"]
     for chapter, members in chapters(rows):

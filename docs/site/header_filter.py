@@ -9,85 +9,82 @@ import pathlib
 import re
 import sys
 
-from manual_fields import missing_fields
-
-COMMENT = re.compile(r"/\*(?!\*)(.*?)\*/", re.DOTALL)
-FIELDS = re.compile(r"(?<=[\w.;)]) +(?=Threads: |Since: )")
-ERROR = re.compile(r"(\s+)(RT_[A-Z_]+)\s+(\S.*)")
+from header_comments import blocks, comments, error_items, functions, split_fields
+from manual_fields import fields_of
 
 
-def error_list(lines):
-    """`Errors:  RT_X  text`, with lines that go on, as a list."""
-    items = []
-    for line in lines:
-        found = ERROR.match(line)
-        if found:
-            items.append(f"- {found[2]}: {found[3]}")
-        elif items:
-            items[-1] += " " + line.strip()
+def literal(text):
+    """Options as they are, not with the dashes of a printed book."""
+    return text.replace("--", "\\--")
+
+
+def item(term, text):
+    return f"- `{term}`: {literal(text)}" if term else f"- {literal(text)}"
+
+
+def paragraphs(parts):
+    """As lines, with an empty one between the Blocks."""
+    lines = []
+    for kind, content in parts:
+        lines += [""] if lines else []
+        if kind == "list":
+            lines += [item(*row) for row in content]
+        elif kind == "table":
+            lines += ["@verbatim", *content, "@endverbatim"]
         else:
-            items.append(line.strip())
-    return ["@par Errors", *items]
+            lines += map(literal, content) if kind == "text" else paragraphs(content)
+    return lines
 
 
-def documentation(text):
-    """The lines of a comment, with the fields at its end as Doxygen's commands."""
-    lines = [part for line in text.strip().split("\n")
-             for part in FIELDS.split(re.sub(r"^ ?\* ?", "", line))]
-    result, errors = [], None
-    for line in lines:
-        field = re.match(r"(Errors|Threads|Source|Sources|Since):\s*(.*)", line)
-        if errors is not None and (field or not line.startswith("  ")):
-            result += error_list(errors)
-            errors = None
-        if field and field[1] == "Errors":
-            errors = [" " + field[2]]
-        elif errors is not None:
-            errors.append(line)
-        elif field:
-            result += ([f"@since {field[2]}"] if field[1] == "Since" else
-                       [f"@par {field[1]}", field[2]])
-        else:
-            result.append(line)
-    if errors is not None:
-        result += error_list(errors)
+def field(title, lines):
+    if title == "Errors":
+        items = error_items(lines)
+        return ["@par Errors", *(item(*row) if items[0][0] else literal(row[1]) for row in items)]
+    text = " ".join(line.strip() for line in lines)
+    return [f"@since {text}"] if title == "Since" else [f"@par {title}", text]
+
+
+def documentation(lines, fields):
+    result = paragraphs(blocks(lines))
+    for title, text in fields.items():
+        result += field(title, text)
     return result
 
 
 def comment(lines):
-    return "/** " + "\n * ".join(lines) + " */"
+    """Without a star before each line, which Doxygen would show in tables."""
+    return "/** " + "\n".join(lines) + " */"
+
+
+def member(source, found):
+    """Behind a value, a macro or a member; what lies within a line is none of Doxygen's."""
+    line = source[source.rfind("\n", 0, found.start) + 1:found.start].lstrip()
+    if source[found.end:found.end + 1] != "\n" or re.match("#if|#e", line):
+        return source[found.start:found.end]
+    return "/**< " + " ".join(line.strip() for line in found.lines) + " */"
 
 
 def convert(source, header):
-    first, *rest = source.split("*/", 1)
-    body = rest[0] if rest else first
-    about = COMMENT.search(body)
     out, position = [], 0
-    for found in COMMENT.finditer(body):
-        before = body[position:found.start()]
-        out.append(before)
-        position = found.end()
-        line_start = before.rsplit("\n", 1)[-1]
-        if found is about or found.start() == about.start():
-            out.append(comment(["@file", *documentation(found[1])]))
-        elif line_start.strip():
-            after = body[found.end():found.end() + 1]
-            out.append("/**< " + " ".join(documentation(found[1])) + " */"
-                       if after == "\n" and not line_start.lstrip().startswith("#if")
-                       and not line_start.lstrip().startswith("#e") else found[0])
+    for found in comments(source):
+        out.append(source[position:found.start])
+        position = found.end
+        names = functions(found.calls)
+        lines, fields = split_fields(found.lines)
+        if found.kind == "divider":
+            continue
+        if found.kind == "member":
+            out.append(member(source, found))
+        elif found.kind == "header":
+            out.append(comment(["@file", *documentation(lines, fields)]))
         else:
-            calls = re.match(r"\n((?:RTAPI [^;]*;\n)+)", body[found.end():])
-            functions = re.findall(r"RTAPIENTRY (rt\w+)\(", calls[1]) if calls else []
-            several = len(functions) > 1
-            lines = documentation(found[1])
-            text = comment(lines + (missing_fields(header, lines, functions) if functions else []))
-            if several:
-                end = found.end() + calls.end()
-                out += ["/** @{ */\n", text, body[found.end():end], "/** @} */\n"]
-                position = end
-            else:
-                out.append(text)
-    out.append(body[position:])
+            if names:
+                lines, fields = fields_of(header, lines, fields, names)
+            out.append(comment(documentation(lines, fields)))
+        if len(names) > 1:
+            position += 1 + len(found.calls)
+            out[-1:] = ["/** @{ */\n", out[-1], "\n", found.calls, "/** @} */\n"]
+    out.append(source[position:])
     return "".join(out)
 
 

@@ -5,35 +5,39 @@ import csv
 import functools
 import pathlib
 
+from header_comments import dedent
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Tables of the functions of other interfaces: the prefix here, there, and the interface's name.
 TABLES = {"glut_calls.csv": ("rtut", "glut", "GLUT"), "glu_calls.csv": ("rtu", "glu", "GLU"),
           "gl_calls.csv": ("rt", "gl", "OpenGL")}
+ORDER = ["Errors", "Threads", "Since", "Source"]
 NO_ERRORS = "None but those that every call can record: see the rules in openrt/rt.h."
-REFUSED = "Declared so that programs compile; not carried out in this release."
+OF_ALL = "Errors of all"  # come behind a function's own; "Errors" stands where it has none
 COMMON = {
     "rt_fixed.h": {
-        "Errors of all fixed-function calls":
-                  "RT_INVALID_ENUM: a token that OpenGL does not know there, or a call with one value "
-                  "for what takes several. RT_INVALID_VALUE: a number out of OpenGL's range or not a "
-                  "number, NULL. RT_INVALID_OPERATION: between rtBegin and rtEnd, or, but for "
-                  "materials and current values, in an object."},
-    "rt_frame.h": {"Threads": "the context's."},
+        OF_ALL: ["RT_INVALID_ENUM  a token that OpenGL does not know there, or a call with one value "
+                 "for what takes several",
+                 "RT_INVALID_VALUE  a number out of OpenGL's range or not a number, NULL",
+                 "RT_INVALID_OPERATION  between rtBegin and rtEnd, or in an object, but for materials "
+                 "and current values"]},
+    "rt_frame.h": {"Threads": ["the context's."]},
     "rt_gl.h": {
-        "What": REFUSED,
-        "Errors": "RT_INVALID_OPERATION, always, with a text that names the function; nothing "
-                  "changes, and 0, NULL or RT_FALSE is returned.",
-        "Threads": "the context's.", "Since": "0.1"},
-    "rt_query.h": {"Threads": "any, with any context or none."},
-    "rt_shaders.h": {"Threads": "the context's."},
+        "What": ", not carried out in this release: declared so that programs compile.",
+        "Errors": ["RT_INVALID_OPERATION  always, with a text that names the function; nothing "
+                   "changes, and 0, NULL or RT_FALSE is returned"],
+        "Threads": ["the context's."], "Since": ["0.1"]},
+    "rt_pixels.h": {OF_ALL: ["RT_INVALID_OPERATION  between rtBegin and rtEnd, or in an object"]},
+    "rt_query.h": {"Threads": ["any, with any context or none."]},
+    "rt_shaders.h": {"Threads": ["the context's."]},
     "rtu.h": {
-        "Errors": "None but what GLU reports, and RT_INVALID_VALUE for an object that is NULL: see "
-                  "the rules in openrt/rtu.h.",
-        "Threads": "the context's for calls that draw or set matrices or cameras, any for all "
-                   "others; one object is used by one thread at a time."},
+        "Errors": ["None but what GLU reports, and RT_INVALID_VALUE for an object that is NULL: see "
+                   "the rules in openrt/rtu.h."],
+        "Threads": ["the context's for calls that draw or set matrices or cameras, any for all "
+                    "others; one object is used by one thread at a time."]},
     "rtut.h": {
-        "Errors": "A wrong argument has no effect but a message, which rtutGetErrorText gives.",
-        "Threads": "the one that called rtutInit."},
+        "Errors": ["A wrong argument has no effect but a message, which rtutGetErrorText gives."],
+        "Threads": ["the one that called rtutInit."]},
 }
 
 
@@ -63,20 +67,11 @@ def source_of(functions):
                      for interface, theirs in names.items())
 
 
-def missing_fields(header, lines, functions):
-    """Lines for what the documentation of functions does not say itself."""
-    text = "\n".join(lines)
+def fields_of(header, lines, fields, functions):
+    """The text and all fields of functions: of their comment, and what is said once for the header."""
     common = COMMON.get(header, {})
-    added = [common["What"]] if "What" in common else []
-    own = "@par Errors" in text
-    for title in (field for field in common if field.startswith("Errors")):
-        if title != "Errors" or not own:
-            added += [f"@par {title}", common[title]]
-            own = True
-    if not own:
-        added += ["@par Errors", NO_ERRORS]
-    if "@par Threads" not in text and "Threads" in common:
-        added += ["@par Threads", common["Threads"]]
-    if "@since" not in text and "Since" in common:
-        added.append(f"@since {common['Since']}")
-    return added + ["@par Source", source_of(functions)]
+    errors = fields.get("Errors") or common.get("Errors", [] if OF_ALL in common else [NO_ERRORS])
+    found = {**common, **fields, "Errors": [*dedent(errors), *common.get(OF_ALL, [])],
+             "Source": [source_of(functions)]}
+    return ([lines[0] + common["What"]] if "What" in common else lines,
+            {title: found[title] for title in ORDER if title in found})

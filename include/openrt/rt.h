@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* OpenRT: ray tracing in the manner of OpenGL. C99, usable from C++. This header and those it
- * includes are the reference manual: each call says what it does, its errors, the threads that
- * may call it, and the release that brought it.
+/* Ray tracing in the manner of OpenGL. C99, usable from C++. This header and those it includes are
+ * the reference manual: each call says what it does, its errors, the threads that may call it, and
+ * the release that brought it.
  *
  *   rt_core.h      start and end, contexts, errors, settings of the library
  *   rt_state.h     matrices, current values, enables, queries of state

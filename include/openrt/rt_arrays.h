@@ -12,10 +12,10 @@
 extern "C" {
 #endif
 
-/* Where an array lies: `size` components of a type for each element, elements `stride` bytes apart
- * (0: without a gap). With a buffer bound to RT_ARRAY_BUFFER the pointer is an offset into it.
- * Integer colours and normals are scaled as by rtColor and rtNormal. The index array is kept and
- * never read: there are no colour indices. Nothing of this is kept in display lists.
+/* Where a vertex array lies: `size` components of a type for each element, elements `stride` bytes
+ * apart (0: without a gap). With a buffer bound to RT_ARRAY_BUFFER the pointer is an offset into
+ * it. Integer colours and normals are scaled as by rtColor and rtNormal. The index array is kept
+ * and never read: there are no colour indices. Nothing of this is kept in display lists.
  * Errors:  RT_INVALID_VALUE  a size that the array can not have; a negative stride
  *          RT_INVALID_ENUM   a type that the array can not have
  * Threads: the context's. Since: 0.1 */
@@ -29,10 +29,10 @@ RTAPI void RTAPIENTRY rtFogCoordPointer(RTenum type, RTsizei stride, const void 
 RTAPI void RTAPIENTRY rtEdgeFlagPointer(RTsizei stride, const void *ptr);
 RTAPI void RTAPIENTRY rtIndexPointer(RTenum type, RTsizei stride, const void *ptr);
 
-/* Which arrays are read: RT_VERTEX_ARRAY, RT_NORMAL_ARRAY, RT_COLOR_ARRAY, RT_TEXTURE_COORD_ARRAY,
- * RT_SECONDARY_COLOR_ARRAY, RT_FOG_COORD_ARRAY, RT_EDGE_FLAG_ARRAY, RT_INDEX_ARRAY.
- * rtInterleavedArrays sets and enables the arrays of a format (RT_V2F to RT_T4F_C4F_N3F_V4F) and
- * disables the others.
+/* Which vertex arrays are read: RT_VERTEX_ARRAY, RT_NORMAL_ARRAY, RT_COLOR_ARRAY,
+ * RT_TEXTURE_COORD_ARRAY, RT_SECONDARY_COLOR_ARRAY, RT_FOG_COORD_ARRAY, RT_EDGE_FLAG_ARRAY,
+ * RT_INDEX_ARRAY. rtInterleavedArrays sets and enables the arrays of a format (RT_V2F to
+ * RT_T4F_C4F_N3F_V4F) and disables the others.
  * Errors:  RT_INVALID_ENUM   another array, another format
  *          RT_INVALID_VALUE  a negative stride
  * Threads: the context's. Since: 0.1 */
@@ -40,19 +40,19 @@ RTAPI void RTAPIENTRY rtEnableClientState(RTenum cap);
 RTAPI void RTAPIENTRY rtDisableClientState(RTenum cap);
 RTAPI void RTAPIENTRY rtInterleavedArrays(RTenum format, RTsizei stride, const void *pointer);
 
-/* The unit, RT_TEXTURE0 to RT_TEXTURE3, that calls about the array of texture coordinates mean.
+/* The texture unit, RT_TEXTURE0 to RT_TEXTURE3, whose array of coordinates calls mean.
  * Errors:  RT_INVALID_ENUM  another unit
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClientActiveTexture(RTenum texture);
 
-/* The pointer of an array: RT_VERTEX_ARRAY_POINTER and the like.
+/* The pointer of a vertex array: RT_VERTEX_ARRAY_POINTER and the like.
  * Errors:  RT_INVALID_ENUM   another name
  *          RT_INVALID_VALUE  params NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtGetPointerv(RTenum pname, void **params);
 
-/* Sets the attributes of element i of the enabled arrays, then, if there is a vertex array, its
- * vertex. Legal between rtBegin and rtEnd.
+/* Gives the attributes of element i of the enabled arrays, and its vertex: last, and if there is a
+ * vertex array. Legal between rtBegin and rtEnd.
  * Errors:  RT_INVALID_VALUE      i negative
  *          RT_INVALID_OPERATION  an enabled array has no memory, its buffer is mapped or too short
  * Threads: the context's. Since: 0.1 */
@@ -88,7 +88,7 @@ RTAPI void RTAPIENTRY rtRectiv(const RTint *v1, const RTint *v2);
 RTAPI void RTAPIENTRY rtRectfv(const RTfloat *v1, const RTfloat *v2);
 RTAPI void RTAPIENTRY rtRectdv(const RTdouble *v1, const RTdouble *v2);
 
-/* Names of buffers, and which buffer RT_ARRAY_BUFFER or RT_ELEMENT_ARRAY_BUFFER means; 0: the
+/* Names of buffers, and which one RT_ARRAY_BUFFER or RT_ELEMENT_ARRAY_BUFFER means; 0: the
  * application's memory. Binding a name that does not exist makes a buffer. A buffer that is
  * deleted is bound nowhere any more; unknown names are ignored.
  * Errors:  RT_INVALID_VALUE  n negative, buffers NULL
@@ -119,7 +119,8 @@ RTAPI void RTAPIENTRY rtGetBufferSubData(RTenum target, RTintptr offset, RTsizei
 RTAPI void *RTAPIENTRY rtMapBuffer(RTenum target, RTenum access);
 RTAPI RTboolean RTAPIENTRY rtUnmapBuffer(RTenum target);
 
-/* RT_BUFFER_SIZE, RT_BUFFER_USAGE, RT_BUFFER_ACCESS, RT_BUFFER_MAPPED; RT_BUFFER_MAP_POINTER.
+/* Facts of the bound buffer: RT_BUFFER_SIZE, RT_BUFFER_USAGE, RT_BUFFER_ACCESS, RT_BUFFER_MAPPED;
+ * RT_BUFFER_MAP_POINTER.
  * Errors:  RT_INVALID_ENUM       another target or name
  *          RT_INVALID_OPERATION  no buffer is bound
  *          RT_INVALID_VALUE      params NULL

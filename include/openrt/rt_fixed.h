@@ -22,14 +22,14 @@
 extern "C" {
 #endif
 
-/* RT_SMOOTH (start): the lighting equation at the vertices, whose colours are interpolated; RT_FLAT:
- * at the provoking vertex; RT_PHONG, ours: at every point that is seen.
+/* Where the lighting equation is evaluated: RT_SMOOTH (start): at the vertices, whose colours are
+ * interpolated; RT_FLAT: at the provoking vertex; RT_PHONG, ours: at every point that is seen.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtShadeModel(RTenum mode);
 
-/* RT_LIGHT0 to RT_LIGHT7. Positions and directions go through the model-view matrix of the call.
- * Each light that is enabled when a frame starts is also one of the frame's lights, which
- * programmable surfaces see. With rtEnable(RT_SHADOWS) lights cast shadows.
+/* Properties of the lights RT_LIGHT0 to RT_LIGHT7. Positions and directions go through the
+ * model-view matrix of the call. Each light that is enabled when a frame starts is also one of the
+ * frame's lights, which programmable surfaces see. With rtEnable(RT_SHADOWS) lights cast shadows.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtLightf(RTenum light, RTenum pname, RTfloat param);
 RTAPI void RTAPIENTRY rtLighti(RTenum light, RTenum pname, RTint param);
@@ -38,7 +38,7 @@ RTAPI void RTAPIENTRY rtLightiv(RTenum light, RTenum pname, const RTint *params)
 RTAPI void RTAPIENTRY rtGetLightfv(RTenum light, RTenum pname, RTfloat *params);
 RTAPI void RTAPIENTRY rtGetLightiv(RTenum light, RTenum pname, RTint *params);
 
-/* RT_LIGHT_MODEL_AMBIENT, _LOCAL_VIEWER, _TWO_SIDE, _COLOR_CONTROL.
+/* What holds for all lights: RT_LIGHT_MODEL_AMBIENT, _LOCAL_VIEWER, _TWO_SIDE, _COLOR_CONTROL.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtLightModelf(RTenum pname, RTfloat param);
 RTAPI void RTAPIENTRY rtLightModeli(RTenum pname, RTint param);
@@ -57,12 +57,12 @@ RTAPI void RTAPIENTRY rtMaterialiv(RTenum face, RTenum pname, const RTint *param
 RTAPI void RTAPIENTRY rtGetMaterialfv(RTenum face, RTenum pname, RTfloat *params);
 RTAPI void RTAPIENTRY rtGetMaterialiv(RTenum face, RTenum pname, RTint *params);
 
-/* Which part of the material follows the vertices' colour with rtEnable(RT_COLOR_MATERIAL).
+/* Which part of the material follows the vertices' colour; with rtEnable(RT_COLOR_MATERIAL).
  * Whether the vertices of an object follow is the business of its instances.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtColorMaterial(RTenum face, RTenum mode);
 
-/* Fog, by the depth in eye space, and with a camera shader by the length of the ray; or, where
+/* The fog of a frame: by the depth in eye space, and with a camera shader by the length of the ray; or, where
  * RT_FOG_COORDINATE_SOURCE says RT_FOG_COORDINATE, by the vertices' rtFogCoord.
  * Errors:  RT_INVALID_OPERATION  RT_FOG_INDEX
  * Threads: the context's. Since: 0.1 */
@@ -71,8 +71,8 @@ RTAPI void RTAPIENTRY rtFogi(RTenum pname, RTint param);
 RTAPI void RTAPIENTRY rtFogfv(RTenum pname, const RTfloat *params);
 RTAPI void RTAPIENTRY rtFogiv(RTenum pname, const RTint *params);
 
-/* What vertices latch beside rt_objects.h's attributes: the coordinate of fog, and the colour that
- * is added after texturing where RT_COLOR_SUM is enabled and lighting is not.
+/* The current coordinate of fog and the secondary colour, which vertices latch. That colour is
+ * added after texturing where RT_COLOR_SUM is enabled and lighting is not.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtFogCoordf(RTfloat coord);
 RTAPI void RTAPIENTRY rtFogCoordfv(const RTfloat *coord);
@@ -95,14 +95,15 @@ RTAPI void RTAPIENTRY rtSecondaryColor3uiv(const RTuint *v);
 RTAPI void RTAPIENTRY rtSecondaryColor3us(RTushort red, RTushort green, RTushort blue);
 RTAPI void RTAPIENTRY rtSecondaryColor3usv(const RTushort *v);
 
-/* Whether the edges that start at vertices are drawn where polygons are drawn as lines or points.
+/* Whether the edges that start at vertices are drawn: where polygons are drawn as lines or points.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtEdgeFlag(RTboolean flag);
 RTAPI void RTAPIENTRY rtEdgeFlagv(const RTboolean *flag);
 
-/* The texture units are RT_TEXTURE0 to RT_TEXTURE3; any other is RT_INVALID_ENUM. Calls about bound
- * textures, environments, generated coordinates and texture matrices mean the active unit; the
- * rtTexCoord calls mean RT_TEXTURE0. Shader classes see the coordinates of RT_TEXTURE0.
+/* The active texture unit, and texture coordinates of each: RT_TEXTURE0 to RT_TEXTURE3. Calls about
+ * bound textures, environments, generated coordinates and texture matrices mean the active unit;
+ * the rtTexCoord calls mean RT_TEXTURE0. Shader classes see the coordinates of RT_TEXTURE0.
+ * Errors:  RT_INVALID_ENUM  another unit
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtActiveTexture(RTenum texture);
 RTAPI void RTAPIENTRY rtMultiTexCoord1d(RTenum target, RTdouble s);
@@ -150,8 +151,9 @@ RTAPI void RTAPIENTRY rtGetTexEnvfv(RTenum target, RTenum pname, RTfloat *params
 RTAPI void RTAPIENTRY rtGetTexEnviv(RTenum target, RTenum pname, RTint *params);
 
 /* Generated texture coordinates. Planes of RT_EYE_PLANE go through the inverse of the model-view
- * matrix of the call (RT_INVALID_OPERATION if it has none); those of RT_OBJECT_PLANE are of the
- * coordinates of objects, or of the vertices of loose geometry.
+ * matrix of the call; those of RT_OBJECT_PLANE are of the coordinates of objects, or of the
+ * vertices of loose geometry.
+ * Errors:  RT_INVALID_OPERATION  RT_EYE_PLANE under a model-view matrix without an inverse
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexGend(RTenum coord, RTenum pname, RTdouble param);
 RTAPI void RTAPIENTRY rtTexGenf(RTenum coord, RTenum pname, RTfloat param);
@@ -163,8 +165,9 @@ RTAPI void RTAPIENTRY rtGetTexGendv(RTenum coord, RTenum pname, RTdouble *params
 RTAPI void RTAPIENTRY rtGetTexGenfv(RTenum coord, RTenum pname, RTfloat *params);
 RTAPI void RTAPIENTRY rtGetTexGeniv(RTenum coord, RTenum pname, RTint *params);
 
-/* Clip planes, through the inverse of the model-view matrix of the call (RT_INVALID_OPERATION if
- * it has none). They, culling and the sides of polygons matter to camera rays only.
+/* Clip planes, culling, and which side of a polygon is its front. They matter to camera rays only.
+ * A plane goes through the inverse of the model-view matrix of the call.
+ * Errors:  RT_INVALID_OPERATION  rtClipPlane under a model-view matrix without an inverse
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClipPlane(RTenum plane, const RTdouble *equation);
 RTAPI void RTAPIENTRY rtGetClipPlane(RTenum plane, RTdouble *equation);
@@ -181,7 +184,7 @@ RTAPI void RTAPIENTRY rtLineWidth(RTfloat width);
 RTAPI void RTAPIENTRY rtLineStipple(RTint factor, RTushort pattern);
 RTAPI void RTAPIENTRY rtPointSize(RTfloat size);
 
-/* Points get smaller with their distance from the eye: RT_POINT_DISTANCE_ATTENUATION, between
+/* How points get smaller with their distance from the eye: RT_POINT_DISTANCE_ATTENUATION, between
  * RT_POINT_SIZE_MIN and RT_POINT_SIZE_MAX. With several samples a pixel, points smaller than
  * RT_POINT_FADE_THRESHOLD_SIZE fade instead.
  * Errors:  RT_INVALID_VALUE  a size below 0
@@ -206,8 +209,8 @@ RTAPI void RTAPIENTRY rtDepthFunc(RTenum func);
 RTAPI void RTAPIENTRY rtDepthMask(RTboolean flag);
 RTAPI void RTAPIENTRY rtColorMask(RTboolean red, RTboolean green, RTboolean blue, RTboolean alpha);
 
-/* State of what there is not: a stencil buffer (enabling RT_STENCIL_TEST is RT_INVALID_OPERATION),
- * an accumulation buffer, sample coverage. It can be set and asked for.
+/* State of buffers that there are not: a stencil buffer (rtEnable refuses RT_STENCIL_TEST), an
+ * accumulation buffer, sample coverage. It can be set and asked for.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtStencilFunc(RTenum func, RTint ref, RTuint mask);
 RTAPI void RTAPIENTRY rtStencilOp(RTenum fail, RTenum zfail, RTenum zpass);
@@ -225,8 +228,8 @@ RTAPI void RTAPIENTRY rtPopAttrib(void);
 RTAPI void RTAPIENTRY rtPushClientAttrib(RTbitfield mask);
 RTAPI void RTAPIENTRY rtPopClientAttrib(void);
 
-/* There are neither selection nor feedback. rtRenderMode(RT_RENDER) is legal and returns 0; names
- * have no effect, as in OpenGL outside of selection. To find what is under the mouse, see
+/* Selection and feedback, which there are not: rtRenderMode(RT_RENDER) is legal and returns 0;
+ * names have no effect, as in OpenGL outside of selection. To find what is under the mouse, see
  * rtuPickRay and rtIntersect.
  * Errors:  RT_INVALID_OPERATION  RT_SELECT, RT_FEEDBACK
  * Threads: the context's. Since: 0.1 */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Written by compat/generate_calls.py; change the table, not this file. */
 /* The functions of OpenGL 1.5 which this release declares and does not carry out. Each
  * records RT_INVALID_OPERATION with a text that names it, changes nothing and returns 0,
- * NULL or RT_FALSE. The others are in openrt/rt.h. */
+ * NULL or RT_FALSE. The others are in openrt/rt.h.
+ * Written by compat/generate_calls.py; change the table, not this file. */
 #ifndef OPENRT_RT_GL_H
 #define OPENRT_RT_GL_H
 

@@ -33,11 +33,12 @@ extern "C" {
 RTAPI void RTAPIENTRY rtBegin(RTenum mode);
 RTAPI void RTAPIENTRY rtEnd(void);
 
-/* A vertex at the model-view matrix times (x, y, z, w), divided by w; z = 0 and w = 1 if not
+/* A vertex, at the model-view matrix times (x, y, z, w), divided by w; z = 0 and w = 1 if not
  * given. It takes the current normal, texture coordinate, colour and per-vertex parameters. A
  * result that is not finite drops the triangles of the vertex; they are counted and keep their
  * numbers.
  * Errors:  RT_INVALID_OPERATION  not between rtBegin and rtEnd, or the bound shader is no surface
+ *          RT_INVALID_VALUE      v NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtVertex2s(RTshort x, RTshort y);
 RTAPI void RTAPIENTRY rtVertex2i(RTint x, RTint y);
@@ -70,7 +71,8 @@ RTAPI void RTAPIENTRY rtVertex4dv(const RTdouble *v);
  * normals and texture coordinates that the object does not set come from the current values when
  * it is instantiated. RT_DEFINE_AND_INSTANTIATE adds an instance at the end, with the matrix in
  * force now. Not in an object.
- * Errors:  RT_INVALID_ENUM  mode is neither RT_DEFINE nor RT_DEFINE_AND_INSTANTIATE
+ * Errors:  RT_INVALID_ENUM       mode is neither RT_DEFINE nor RT_DEFINE_AND_INSTANTIATE
+ *          RT_INVALID_OPERATION  in an object, or while a display list is compiled
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtNewObject(RTenum mode);
 
@@ -83,11 +85,12 @@ RTAPI void RTAPIENTRY rtEndObject(void);
 /* Defines the geometry of an existing id anew, as rtNewObject(RT_DEFINE) does. Until rtEndObject
  * has succeeded the old one stands; frames in flight, instances already given and objects that
  * nest the old one keep it. Not in an object.
- * Errors:  RT_INVALID_VALUE  unknown object
+ * Errors:  RT_INVALID_VALUE      unknown object
+ *          RT_INVALID_OPERATION  in an object, or while a display list is compiled
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtReplaceObject(RTuint object);
 
-/* New positions, three floats each, for the vertices first .. first + count - 1 of an object, in the
+/* New positions for vertices of an object: three floats each, for first to first + count - 1 in the
  * order in which rtVertex gave them; the triangles stay the same ones, with their numbers, normals
  * and other attributes. Positions are in the object's coordinates: matrices that were in force in
  * the object do not act on them. A position that is not finite drops the triangles of the vertex,
@@ -103,8 +106,8 @@ RTAPI void RTAPIENTRY rtReplaceObject(RTuint object);
 RTAPI void RTAPIENTRY rtUpdateObject(RTuint object, RTuint first, RTsizei count,
                                      const RTfloat *xyz);
 
-/* Forgets an object id; frames in flight, this frame's instances and other objects that use the
- * object keep it. Not in an object.
+/* Forgets the id of an object; frames in flight, this frame's instances and other objects that use
+ * the object keep it. Not in an object.
  * Errors:  RT_INVALID_VALUE  unknown object
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtRemoveObject(RTuint object);
@@ -119,16 +122,23 @@ RTAPI void RTAPIENTRY rtRemoveObject(RTuint object);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtInstantiateObject(RTuint object);
 
-/* The same, with `shader` in the place of every shader of the object; nothing is copied.
- * Errors:  as above; RT_INVALID_VALUE      unknown shader
- *                    RT_INVALID_OPERATION  not a surface shader
+/* An instance with another shader: as by rtInstantiateObject, with `shader` in the place of every
+ * shader of the object; nothing is copied.
+ * Errors:  RT_INVALID_VALUE      unknown object or shader
+ *          RT_INVALID_OPERATION  not a surface shader; the object under definition; a matrix whose
+ *                                last row is not a multiple of (0, 0, 0, 1)
+ *          RT_STACK_OVERFLOW     objects nest deeper than RT_MAX_OBJECT_DEPTH
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtInstantiateObjectShader(RTuint object, RTuint shader);
 
-/* The same, with shaders[i] in the place of the i-th shader of the object in order of first use
- * (rtGetObjectiv, RT_OBJECT_SHADERS), in the objects nested in it too. 0 keeps the object's own.
- * Errors:  as above; RT_INVALID_VALUE  n negative or above the number of the object's shaders,
- *                                      shaders NULL with n above 0
+/* An instance with other shaders: as by rtInstantiateObject, with shaders[i] in the place of the
+ * i-th shader of the object in order of first use (rtGetObjectiv, RT_OBJECT_SHADERS), in the
+ * objects nested in it too. 0 keeps the object's own.
+ * Errors:  RT_INVALID_VALUE      unknown object or shader; n negative or above the number of the
+ *                                object's shaders; shaders NULL with n above 0
+ *          RT_INVALID_OPERATION  not a surface shader; the object under definition; a matrix whose
+ *                                last row is not a multiple of (0, 0, 0, 1)
+ *          RT_STACK_OVERFLOW     objects nest deeper than RT_MAX_OBJECT_DEPTH
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const RTuint *shaders);
 
@@ -137,16 +147,16 @@ RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const
  *   RT_LAZY_BUILD     RT_TRUE, RT_FALSE (start)
  * RT_NICEST builds the kd-tree that the surface area heuristic finds best, exactly (Wald and
  * Havran, 2006), and, once enough camera rays have come, a tree of boxes with cut triangles beside
- * it. It takes by far the most time and memory. RT_FASTEST builds a tree of boxes along a space-filling
- * curve in linear time. RT_DONT_CARE builds a tree of boxes by the surface area heuristic over bins
- * (Wald, 2007); an object that is defined again, or updated, gets what pays: the fast tree, unless
- * the frames started since its last build had more than some eight rays a triangle. Hits do
- * not depend on any of this. After rtUpdateObject the tree of boxes of before is fitted to the new
- * positions (Lauterbach and others, 2006) until rays would take half as long again as in a new one;
- * there is no kd-tree then. Primitives outside objects get the fast tree, and a better one once they stay.
- * RT_LAZY_BUILD builds when the first ray reaches an instance of the object: objects that no ray
- * reaches have no tree. Threads that come meanwhile wait. If memory runs out then, the frame fails
- * with RT_OUT_OF_MEMORY; the next frame tries again.
+ * it. It takes by far the most time and memory. RT_FASTEST builds a tree of boxes along a
+ * space-filling curve in linear time. RT_DONT_CARE builds a tree of boxes by the surface area
+ * heuristic over bins (Wald, 2007); an object that is defined again, or updated, gets what pays:
+ * the fast tree, unless the frames started since its last build had more than some eight rays a
+ * triangle. Hits do not depend on any of this. After rtUpdateObject the tree of boxes of before is
+ * fitted to the new positions (Lauterbach and others, 2006) until rays would take half as long
+ * again as in a new one; there is no kd-tree then. Primitives outside objects get the fast tree,
+ * and a better one once they stay. RT_LAZY_BUILD builds when the first ray reaches an instance of
+ * the object: objects that no ray reaches have no tree. Threads that come meanwhile wait. If memory
+ * runs out then, the frame fails with RT_OUT_OF_MEMORY; the next frame tries again.
  * Errors:  RT_INVALID_ENUM  unknown hint, or value not one of the hint's
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtObjectHint(RTenum hint, RTenum value);

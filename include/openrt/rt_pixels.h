@@ -12,11 +12,11 @@
 extern "C" {
 #endif
 
-/* The raster position: transformed and lit as a vertex is, with the current colour, normal and
- * texture coordinates, and kept in the window, with the viewport of now. It is invalid where the
- * view volume or a clip plane cuts it away: nothing is drawn then. It starts at (0, 0, 0), valid
- * and white. As everything in the window it needs the projection matrix: a camera shader does not
- * move it.
+/* The raster position, where rectangles of pixels are drawn: transformed and lit as a vertex is,
+ * with the current colour, normal and texture coordinates, and kept in the window, with the
+ * viewport of now. It is invalid where the view volume or a clip plane cuts it away: nothing is
+ * drawn then. It starts at (0, 0, 0), valid and white. As everything in the window it needs the
+ * projection matrix: a camera shader does not move it.
  * Errors:  RT_INVALID_VALUE  v NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtRasterPos2s(RTshort x, RTshort y);
@@ -44,8 +44,8 @@ RTAPI void RTAPIENTRY rtRasterPos4iv(const RTint *v);
 RTAPI void RTAPIENTRY rtRasterPos4fv(const RTfloat *v);
 RTAPI void RTAPIENTRY rtRasterPos4dv(const RTdouble *v);
 
-/* The raster position in window coordinates: always valid, z limited to 0 (the near end of the
- * depth range) to 1, the current colour without lighting.
+/* The raster position in coordinates of the window: always valid, z limited to 0 (the near end of
+ * the depth range) to 1, the current colour without lighting.
  * Errors:  RT_INVALID_VALUE  v NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtWindowPos2s(RTshort x, RTshort y);
@@ -65,17 +65,17 @@ RTAPI void RTAPIENTRY rtWindowPos3iv(const RTint *v);
 RTAPI void RTAPIENTRY rtWindowPos3fv(const RTfloat *v);
 RTAPI void RTAPIENTRY rtWindowPos3dv(const RTdouble *v);
 
-/* Draws the bits that are 1 in the raster position's colour, (xorig, yorig) of the bitmap at the
- * raster position, and moves that by (xmove, ymove). `bitmap` NULL, or a bitmap of no size, moves
- * it only. Rows lie as rtPixelStore says, from the bottom.
+/* Draws the bits of a bitmap that are 1 in the raster position's colour. (xorig, yorig) of the
+ * bitmap is at the raster position, which is moved by (xmove, ymove) then. `bitmap` NULL, or a
+ * bitmap of no size, moves it only. Rows lie as rtPixelStore says, from the bottom.
  * Errors:  RT_INVALID_VALUE  a negative size
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBitmap(RTsizei width, RTsizei height, RTfloat xorig, RTfloat yorig,
                                RTfloat xmove, RTfloat ymove, const RTubyte *bitmap);
 
-/* Draws a rectangle of colours, its lower left corner at the raster position, each pixel as large
- * as rtPixelZoom says, with the raster position's depth, fog and texture coordinates. Formats and
- * types are those of rtTexImage2D.
+/* Draws a rectangle of colours at the raster position: its lower left corner is there, each pixel
+ * as large as rtPixelZoom says, with the raster position's depth, fog and texture coordinates.
+ * Formats and types are those of rtTexImage2D.
  * Errors:  RT_INVALID_VALUE      a negative size, pixels NULL
  *          RT_INVALID_ENUM       unknown format or type
  *          RT_INVALID_OPERATION  a format or type that this release has not: depths and stencil
@@ -90,9 +90,11 @@ RTAPI void RTAPIENTRY rtDrawPixels(RTsizei width, RTsizei height, RTenum format,
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtPixelZoom(RTfloat xfactor, RTfloat yfactor);
 
-/* RT_RED_SCALE, _BIAS and so on to RT_ALPHA_: colours that are drawn by rtDrawPixels, read by
- * rtReadPixels or go into textures are multiplied by the scale, and the bias is added. RT_MAP_COLOR, RT_MAP_STENCIL, RT_INDEX_SHIFT, RT_INDEX_OFFSET,
- * RT_DEPTH_SCALE and RT_DEPTH_BIAS have the values that they start with and no others.
+/* Scales and biases of the colours of pixels: RT_RED_SCALE, RT_RED_BIAS and so on to RT_ALPHA_BIAS.
+ * Colours that are drawn by rtDrawPixels, read by rtReadPixels or go into textures are multiplied
+ * by the scale, and the bias is added. RT_MAP_COLOR, RT_MAP_STENCIL, RT_INDEX_SHIFT,
+ * RT_INDEX_OFFSET, RT_DEPTH_SCALE and RT_DEPTH_BIAS have the values that they start with and no
+ * others.
  * Errors:  RT_INVALID_ENUM       unknown name
  *          RT_INVALID_OPERATION  another value of one of the latter
  * Threads: the context's. Since: 0.1 */

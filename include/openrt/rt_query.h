@@ -51,9 +51,9 @@ typedef struct RThitstream {
     float *nx, *ny, *nz;
 } RThitstream;
 
-/* Compiles what the scene under way consists of so far for the calls below, and returns a handle;
- * the scene stays open. Handles count from 1, are unique in the process and never used again.
- * RT_INVALID on error. Legal in objects; the open object is not part of the scene.
+/* Compiles the scene under way for rtIntersect and rtOccluded: what it consists of so far. Returns
+ * a handle, RT_INVALID if memory ran out; the scene stays open. Handles count from 1, are unique in
+ * the process and never used again. Legal in objects; the open object is not part of the scene.
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtCompileScene(void);
 
@@ -62,11 +62,11 @@ RTAPI RTuint RTAPIENTRY rtCompileScene(void);
  * Threads: any; no context needed. Since: 0.1 */
 RTAPI void RTAPIENTRY rtReleaseScene(RTuint handle);
 
-/* Nearest hits: hits[i] belongs to rays[i]. coherence: RT_COHERENT if runs of 16, 64, 256
- * consecutive rays are neighbours, as in tiles or in Morton order, else RT_INCOHERENT; it changes
- * the speed only.
- * Errors (in the calling thread's context, if it has one):
- *          RT_INVALID_VALUE  unknown handle, count negative; of rays: a NULL pointer, unknown flags
+/* The nearest hits of rays: hits[i] belongs to rays[i]. coherence: RT_COHERENT if runs of 16, 64,
+ * 256 consecutive rays are neighbours, as in tiles or in Morton order, else RT_INCOHERENT; it
+ * changes the speed only. An error is recorded in the calling thread's context, if it has one.
+ * Errors:  RT_INVALID_VALUE  unknown handle; count negative; with count above 0 a pointer NULL that
+ *                            has to be given, unknown flags of rays
  *          RT_INVALID_ENUM   another coherence
  * Threads: any; no context needed. Since: 0.1 */
 RTAPI void RTAPIENTRY rtIntersect(RTuint handle, const RTray *rays, RThit *hits, RTsizei count,
@@ -74,8 +74,12 @@ RTAPI void RTAPIENTRY rtIntersect(RTuint handle, const RTray *rays, RThit *hits,
 RTAPI void RTAPIENTRY rtIntersectStream(RTuint handle, const RTraystream *rays,
                                         RThitstream *hits, RTsizei count, RTenum coherence);
 
-/* Whether anything lies in a ray's range: blocked[i] = 1 or 0. Errors and threads as above.
- * Since: 0.1 */
+/* Whether anything lies in a ray's range: blocked[i] = 1 or 0. coherence: see rtIntersect. An error
+ * is recorded in the calling thread's context, if it has one.
+ * Errors:  RT_INVALID_VALUE  unknown handle; count negative; with count above 0 a pointer NULL that
+ *                            has to be given, unknown flags of rays
+ *          RT_INVALID_ENUM   another coherence
+ * Threads: any; no context needed. Since: 0.1 */
 RTAPI void RTAPIENTRY rtOccluded(RTuint handle, const RTray *rays, RTubyte *blocked, RTsizei count,
                                  RTenum coherence);
 RTAPI void RTAPIENTRY rtOccludedStream(RTuint handle, const RTraystream *rays, RTubyte *blocked,

@@ -38,16 +38,16 @@
 extern "C" {
 #endif
 
-/* A new, empty scene. A scene is what a frame consists of: instances, loose geometry, lights,
+/* Makes a new, empty scene. A scene is what a frame consists of: instances, loose geometry, lights,
  * camera, environment and rendering object; scene 0 always exists. Everything else - matrices,
  * current values, objects, shaders, parameters, hints, settings, the frame buffer - belongs to the
  * context and is the same for all its scenes. Not in an object.
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtGenScene(void);
 
-/* The scene that rtInstantiateObject, rtUse... and loose geometry fill from now on, and that
- * rtQueueFrame, rtStartRendering, rtRender, rtFinish and rtCompileScene take; 0 at the start. What
- * the scene bound before was given stays in it. Not in an object.
+/* Binds a scene: rtInstantiateObject, rtUse... and loose geometry fill it from now on, and
+ * rtQueueFrame, rtStartRendering, rtRender, rtFinish and rtCompileScene take it; 0 at the start.
+ * What the scene bound before was given stays in it. Not in an object.
  * Errors:  RT_INVALID_VALUE  unknown scene
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBindScene(RTuint scene);
@@ -68,18 +68,19 @@ RTAPI void RTAPIENTRY rtDeleteScene(RTuint scene);
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtQueueFrame(void);
 
-/* Queues the scene of the frame that this context queued or started last once more, as it was frozen
- * then, seen by the camera that the bound scene uses now (rtUseCamera, rtuCameraFromWall ...), in
- * the frame buffer, viewport and scissor of now; returns the frame's id. Uses the camera up; all
- * else that the bound scene was given waits for its next frame. All walls of a room and both eyes
- * show the same moment this way, and its trees are built once. The first view, too, has to be
- * taken by a camera of its own: a frame seen by the projection matrix is not kept. Not in an object.
+/* Queues the scene of the last frame once more, seen by another camera. It is that of the frame
+ * that this context queued or started last, as it was frozen then, seen by the camera that the
+ * bound scene uses now (rtUseCamera, rtuCameraFromWall ...), in the frame buffer, viewport and
+ * scissor of now; returns the frame's id. Uses the camera up; all else that the bound scene was
+ * given waits for its next frame. All walls of a room and both eyes show the same moment this way,
+ * and its trees are built once. The first view, too, has to be taken by a camera of its own: a
+ * frame seen by the projection matrix is not kept. Not in an object.
  * Errors:  RT_INVALID_OPERATION  no camera is in use; no frame before, or one without a camera; no
  *                                frame buffer, or a stride that holds no row
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtQueueView(void);
 
-/* How many frames of this context may be in flight, those of rtStartRendering included; 2 at the
+/* How many frames of this context may be in flight; those of rtStartRendering included. 2 at the
  * start. A smaller number than there are now lets these go on.
  * Errors:  RT_INVALID_VALUE  n is 0
  * Threads: the context's. Since: 0.1 */
@@ -96,14 +97,15 @@ RTAPI void RTAPIENTRY rtFrameDepth(RTuint n);
  * Threads: any; no context needed. Since: 0.1 */
 RTAPI RTboolean RTAPIENTRY rtWaitFrame(RTuint frame);
 
-/* RT_QUEUED: none of its tiles was started. RT_RENDERING: some were; also when all are done and an
- * earlier frame is not. RT_DONE: every pixel is in the frame buffer. RT_CANCELLED: some pixels
- * never will be. RT_FAILED: the library could not render it, see rtWaitFrame. The last three stay.
+/* How far a frame is. RT_QUEUED: none of its tiles was started. RT_RENDERING: some were; also when
+ * all are done and an earlier frame is not. RT_DONE: every pixel is in the frame buffer.
+ * RT_CANCELLED: some pixels never will be. RT_FAILED: the library could not render it, see
+ * rtWaitFrame. The last three stay.
  * Errors:  RT_INVALID_VALUE  unknown frame (returns RT_INVALID)
  * Threads: any; no context needed. Since: 0.1 */
 RTAPI RTenum RTAPIENTRY rtFrameStatus(RTuint frame);
 
-/* The share of the frame's tiles that are done or dropped, 0 to 1; never falls, and is 1 for every
+/* The share of the frame's tiles that are done or dropped: 0 to 1; never falls, and is 1 for every
  * frame that has ended, however it did.
  * Errors:  RT_INVALID_VALUE  unknown frame (returns 0)
  * Threads: any; no context needed. Since: 0.1 */
@@ -117,7 +119,8 @@ RTAPI RTfloat RTAPIENTRY rtFrameProgress(RTuint frame);
  * Threads: any; no context needed. Since: 0.1 */
 RTAPI void RTAPIENTRY rtCancelFrame(RTuint frame);
 
-/* Calls cb for the frames started from now on by any call of this context; NULL: none (start).
+/* A function to be called while frames are rendered: those started from now on by any call of this
+ * context; NULL: none (start).
  *   RT_FRAME_PROGRESS                  the pixels of the rectangle (x, y, w, h) are in the frame
  *                                      buffer; y counts from the bottom
  *   RT_DONE, RT_CANCELLED, RT_FAILED   the frame has ended so; (0, 0, w, h) is the whole picture.
@@ -131,6 +134,7 @@ RTAPI void RTAPIENTRY rtCancelFrame(RTuint frame);
  * which is done all the same. So is an exception that leaves cb. `user` is passed on; it has to
  * live until the frames started with it have ended. A frame without an id, after the last of
  * them, is RT_INVALID.
+ * Errors:  None but those that every call can record.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtSetFrameCallback(void(RTAPIENTRY *cb)(RTuint frame, RTenum event, RTint x,
                                                               RTint y, RTsizei w, RTsizei h,

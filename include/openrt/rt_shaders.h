@@ -14,47 +14,48 @@ extern "C" {
 
 struct RTshaderclass;
 
-/* Id of a class by its name: of the shader library `fileName`, or if that is NULL one that is built
- * in or registered by rtRegisterShaderClass. Binds the class and shader 0. Every call gives a new
- * id. RT_INVALID on error.
- * A file name with a slash is a path; any other is looked for in the folders of the environment
- * variable OPENRT_SHADER_PATH (separated by colons, ignored in set-uid programs), then in the
- * installed folder openrt/shaders beside this library, and never in the current folder by itself.
- * ".so" may be left out. The file is examined before any of its code runs. It stays loaded until
- * its classes and all that uses them are gone: ids, shaders, objects, frames.
- * How shader libraries are written is in rts_plugin.h (C) and plugin.hpp (C++).
+/* Finds a shader class by its name: in the shader library `fileName`, or if that is NULL one that
+ * is built in or registered by rtRegisterShaderClass. Binds the class and shader 0. Every call
+ * gives a new id. RT_INVALID on error. A file name with a slash is a path; any other is looked for
+ * in the folders of the environment variable OPENRT_SHADER_PATH (separated by colons, ignored in
+ * set-uid programs), then in the installed folder openrt/shaders beside this library, and never in
+ * the current folder by itself. ".so" may be left out. The file is examined before any of its code
+ * runs. It stays loaded until its classes and all that uses them are gone: ids, shaders, objects,
+ * frames. How shader libraries are written is in rts_plugin.h (C) and plugin.hpp (C++).
  * Errors:  RT_INVALID_VALUE  shaderName NULL or unknown; the file is missing, no shader library, for
  *                            another machine or version, has no such class, or its constructor
  *                            fails: the text says which file and why. Nothing else happens then
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtGenNewShaderClass(const char *shaderName, const char *fileName);
 
-/* Names of shader classes, in alphabetical order, each followed by a line feed: those of a shader
+/* Names of shader classes: in alphabetical order, each followed by a line feed; those of a shader
  * library, found and examined as by rtGenNewShaderClass, or with NULL the built-in ones. The text
  * lives until the next call of this function on the thread. NULL on error.
  * Errors:  RT_INVALID_VALUE  the file is missing or no shader library that can be used
  * Threads: the context's. Since: 0.1 */
 RTAPI const char *RTAPIENTRY rtGetShaderClassNames(const char *fileName);
 
-/* What a class is: its kind, parameters and functions, as rts.h has them. Lives as long as the
- * class: until its id is removed and its shaders are gone. NULL on error.
+/* What a shader class is: its kind, parameters and functions, as rts.h has them. Lives as long as
+ * the class: until its id is removed and its shaders are gone. NULL on error.
  * Errors:  RT_INVALID_VALUE  unknown class
  * Threads: the context's. Since: 0.1 */
 RTAPI const struct RTshaderclass *RTAPIENTRY rtGetShaderClassDescriptor(RTuint shaderClass);
 
-/* Makes a class that is part of the program known to this context under its name, and returns its
- * id, bound as by rtGenNewShaderClass. The descriptor is copied; the functions in it must stay
- * where they are. A later class of the same name hides an earlier one from rtGenNewShaderClass.
+/* Makes a class that is part of the program known to this context. Returns its id, bound as by
+ * rtGenNewShaderClass, which finds it by its name. The descriptor is copied; the functions in it
+ * must stay where they are. A later class of the same name hides an earlier one from
+ * rtGenNewShaderClass.
  * Errors:  RT_INVALID_VALUE  descriptor NULL, or the text says what is wrong with it
  * Threads: the context's. Since: 0.1 */
 RTAPI RTuint RTAPIENTRY rtRegisterShaderClass(const struct RTshaderclass *descriptor);
 
-/* Binds a class, and shader 0. 0 binds no class.
+/* Binds a shader class, and shader 0. 0 binds no class.
  * Errors:  RT_INVALID_VALUE  unknown class
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBindShaderClass(RTuint shaderClass);
 
-/* Forgets a class id; its shaders, and the classes of the same name, stay. Unbinds it if bound.
+/* Forgets the id of a shader class; its shaders, and the classes of the same name, stay. Unbinds it
+ * if bound.
  * Errors:  RT_INVALID_VALUE  unknown class
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtRemoveShaderClass(RTuint shaderClass);
@@ -70,8 +71,8 @@ RTAPI RTuint RTAPIENTRY rtGenNewShader(void);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBindShader(RTuint shader);
 
-/* Forgets a shader id; objects, frames and this frame's lights that use the shader keep it. If it
- * was bound, shader 0 is bound now; the bound class stays.
+/* Forgets the id of a shader; objects, frames and this frame's lights that use the shader keep it.
+ * If it was bound, shader 0 is bound now; the bound class stays.
  * Errors:  RT_INVALID_VALUE  unknown shader, or 0
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtRemoveShader(RTuint shader);
@@ -109,11 +110,19 @@ RTAPI void RTAPIENTRY rtParameter3fv(RTuint handle, const RTfloat *v);
 RTAPI void RTAPIENTRY rtParameter4fv(RTuint handle, const RTfloat *v);
 RTAPI void RTAPIENTRY rtParameter16fv(RTuint handle, const RTfloat *v);
 
-/* The same for a parameter of `size` plain bytes, which are copied; size must be the declared one.
- * Errors and threads as above. Since: 0.1 */
+/* Sets a parameter of plain bytes of the bound shader: as rtParameter1i does. `size` must be the
+ * declared one; the bytes are copied. Legal everywhere.
+ * Errors:  RT_INVALID_VALUE      unknown handle, data NULL
+ *          RT_INVALID_OPERATION  no shader of the handle's class is bound, another type, or another
+ *                                size
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtParameterRaw(RTuint handle, const void *data, RTuint size);
 
-/* The same for a string, which is copied. Errors and threads as above. Since: 0.1 */
+/* Sets a string parameter of the bound shader: as rtParameter1i does. The text is copied. Legal
+ * everywhere.
+ * Errors:  RT_INVALID_VALUE      unknown handle, text NULL
+ *          RT_INVALID_OPERATION  no shader of the handle's class is bound, or another type
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtParameterString(RTuint handle, const char *text);
 
 #ifdef __cplusplus

@@ -37,8 +37,9 @@ RTAPI void RTAPIENTRY rtLoadTransposeMatrixd(const RTdouble *m);
 RTAPI void RTAPIENTRY rtMultTransposeMatrixf(const RTfloat *m);
 RTAPI void RTAPIENTRY rtMultTransposeMatrixd(const RTdouble *m);
 
-/* Multiply the current matrix by a rotation of `angle` degrees about (x, y, z), anticlockwise for
- * a viewer whom the axis points at (a zero axis: no rotation), by a scaling, by a translation.
+/* Multiply the current matrix by a rotation, a scaling or a translation. The rotation is by `angle`
+ * degrees about (x, y, z), anticlockwise for a viewer whom the axis points at; a zero axis gives
+ * none.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtRotatef(RTfloat angle, RTfloat x, RTfloat y, RTfloat z);
 RTAPI void RTAPIENTRY rtRotated(RTdouble angle, RTdouble x, RTdouble y, RTdouble z);
@@ -63,11 +64,11 @@ RTAPI void RTAPIENTRY rtLookAt(RTdouble eyeX, RTdouble eyeY, RTdouble eyeZ, RTdo
                                RTdouble centerY, RTdouble centerZ, RTdouble upX, RTdouble upY,
                                RTdouble upZ);
 
-/* The current normal, (0, 0, 1) at the start. Goes through the inverse transpose of the model-view
+/* The current normal; (0, 0, 1) at the start. Goes through the inverse transpose of the model-view
  * matrix at each vertex; need not have length 1. Integers as in OpenGL: the type's range is mapped
  * to -1..1. With two components z is 0; a fourth is ignored. Where no normal was ever given,
  * programmable surfaces see the geometric normal. Legal everywhere.
- * Errors:  RT_INVALID_VALUE  v NULL (so in all calls below that take a pointer)
+ * Errors:  RT_INVALID_VALUE  v NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtNormal2s(RTshort x, RTshort y);
 RTAPI void RTAPIENTRY rtNormal2i(RTint x, RTint y);
@@ -96,7 +97,8 @@ RTAPI void RTAPIENTRY rtNormal4iv(const RTint *v);
 RTAPI void RTAPIENTRY rtNormal4fv(const RTfloat *v);
 RTAPI void RTAPIENTRY rtNormal4dv(const RTdouble *v);
 
-/* The current texture coordinate, (0, 0, 0, 1) at the start and where not given. Legal everywhere.
+/* The current texture coordinate; (0, 0, 0, 1) at the start and where not given. Legal everywhere.
+ * Errors:  RT_INVALID_VALUE  v NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexCoord1s(RTshort s);
 RTAPI void RTAPIENTRY rtTexCoord1i(RTint s);
@@ -131,8 +133,9 @@ RTAPI void RTAPIENTRY rtTexCoord4iv(const RTint *v);
 RTAPI void RTAPIENTRY rtTexCoord4fv(const RTfloat *v);
 RTAPI void RTAPIENTRY rtTexCoord4dv(const RTdouble *v);
 
-/* The current colour, opaque white at the start; alpha is 1 where not given. Integers as in
+/* The current colour; opaque white at the start; alpha is 1 where not given. Integers as in
  * OpenGL: unsigned ranges are mapped to 0..1, signed ones to -1..1. Not clamped. Legal everywhere.
+ * Errors:  RT_INVALID_VALUE  v NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtColor3b(RTbyte red, RTbyte green, RTbyte blue);
 RTAPI void RTAPIENTRY rtColor3s(RTshort red, RTshort green, RTshort blue);
@@ -167,7 +170,7 @@ RTAPI void RTAPIENTRY rtColor4ubv(const RTubyte *v);
 RTAPI void RTAPIENTRY rtColor4usv(const RTushort *v);
 RTAPI void RTAPIENTRY rtColor4uiv(const RTuint *v);
 
-/* The part of the frame buffer that the camera fills, in pixels from the lower left corner; the
+/* The part of the frame buffer that the camera fills; in pixels from the lower left corner. The
  * rest gets the clear colour. Without it, the whole. Width and height are clamped to
  * RT_MAX_VIEWPORT_DIMS. Not in an object.
  * Errors:  RT_INVALID_VALUE  negative width or height
@@ -179,9 +182,9 @@ RTAPI void RTAPIENTRY rtViewport(RTint x, RTint y, RTsizei width, RTsizei height
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClearColor(RTclampf red, RTclampf green, RTclampf blue, RTclampf alpha);
 
-/* Switches, off at the start but for RT_DITHER, which has no effect, and RT_DEPTH_TEST: that is on
- * until a program enables or disables it or clears a buffer; from then on it is as in OpenGL, where
- * it is off until it is enabled, and what is given last covers what was given before.
+/* Switches of state; off at the start but for RT_DITHER, which has no effect, and RT_DEPTH_TEST:
+ * that is on until a program enables or disables it or clears a buffer; from then on it is as in
+ * OpenGL, where it is off until it is enabled, and what is given last covers what was given before.
  *   OpenGL's             those of fixed function; see rt_fixed.h
  *   RT_SHADOWS           lights of fixed function cast shadows
  *   RT_REFLECTIONS       fixed-function surfaces reflect by their material's RT_REFLECTION
@@ -197,28 +200,28 @@ RTAPI void RTAPIENTRY rtEnable(RTenum cap);
 RTAPI void RTAPIENTRY rtDisable(RTenum cap);
 RTAPI RTboolean RTAPIENTRY rtIsEnabled(RTenum cap);
 
-/* Values of state, converted as in OpenGL: colours, normals and depths become integers by mapping
+/* Values of state; converted as in OpenGL: colours, normals and depths become integers by mapping
  * -1..1 to the whole range, other numbers by rounding, and booleans by comparison with 0; integers
  * out of range are clamped. All values and switches of OpenGL 1.5 whose calls this library has, as
  * many as there; its own, and how many values the most common ones have:
- *   4: RT_CURRENT_COLOR RT_CURRENT_TEXTURE_COORDS RT_COLOR_CLEAR_VALUE RT_VIEWPORT
- *   3: RT_CURRENT_NORMAL
- *  16: RT_MODELVIEW_MATRIX RT_PROJECTION_MATRIX RT_TEXTURE_MATRIX and RT_TRANSPOSE_..._MATRIX
- *   2: RT_MAX_VIEWPORT_DIMS
- *   1: RT_MATRIX_MODE, RT_MODELVIEW_STACK_DEPTH, RT_PROJECTION_STACK_DEPTH,
- *      RT_TEXTURE_STACK_DEPTH, RT_MAX_MODELVIEW_STACK_DEPTH, RT_MAX_PROJECTION_STACK_DEPTH,
- *      RT_MAX_TEXTURE_STACK_DEPTH, RT_MAX_OBJECT_DEPTH, RT_MAX_TEXTURE_SIZE,
- *      RT_TEXTURE_BINDING_2D, RT_SHADER_BINDING, RT_SHADER_CLASS_BINDING, RT_OBJECT_INDEX,
- *      RT_UNPACK_ALIGNMENT, RT_UNPACK_ROW_LENGTH, RT_UNPACK_SKIP_PIXELS, RT_UNPACK_SKIP_ROWS,
- *      RT_UNPACK_SWAP_BYTES, RT_SAMPLES, RT_PRECISION_HINT, RT_BUILD_QUALITY, RT_LAZY_BUILD,
- *      RT_FRAMEBUFFER_SRGB, RT_MULTISAMPLE,
- *      RT_FRAME_DEPTH, RT_SCENE_BINDING,
- *      RT_FRAME_PROGRESS (of the frame of rtStartRendering, 0 to 1; 1 when there is none),
- *      RT_STAT_TRIANGLES, _INSTANCES, _NODES, _LEAVES, _REFERENCES, _DROPPED_TRIANGLES,
- *      _DROPPED_INSTANCES (of the scene of the last frame started), _BYTES, _PEAK_BYTES,
- *      _MODELS_BUILT, _BUILD_MICROSECONDS (of this context), _RAYS, _PRIMARY_RAYS, _SHADOW_RAYS,
- *      _SECONDARY_RAYS, _BAD_PIXELS, _BUSY_MICROSECONDS, _IDLE_MICROSECONDS (of the last frame
- *      waited for)
+ *   16  RT_MODELVIEW_MATRIX, RT_PROJECTION_MATRIX, RT_TEXTURE_MATRIX and RT_TRANSPOSE_..._MATRIX
+ *   4   RT_CURRENT_COLOR, RT_CURRENT_TEXTURE_COORDS, RT_COLOR_CLEAR_VALUE, RT_VIEWPORT
+ *   3   RT_CURRENT_NORMAL
+ *   2   RT_MAX_VIEWPORT_DIMS
+ *   1   RT_MATRIX_MODE, RT_MODELVIEW_STACK_DEPTH, RT_PROJECTION_STACK_DEPTH,
+ *       RT_TEXTURE_STACK_DEPTH, RT_MAX_MODELVIEW_STACK_DEPTH, RT_MAX_PROJECTION_STACK_DEPTH,
+ *       RT_MAX_TEXTURE_STACK_DEPTH, RT_MAX_OBJECT_DEPTH, RT_MAX_TEXTURE_SIZE,
+ *       RT_TEXTURE_BINDING_2D, RT_SHADER_BINDING, RT_SHADER_CLASS_BINDING, RT_OBJECT_INDEX,
+ *       RT_UNPACK_ALIGNMENT, RT_UNPACK_ROW_LENGTH, RT_UNPACK_SKIP_PIXELS, RT_UNPACK_SKIP_ROWS,
+ *       RT_UNPACK_SWAP_BYTES, RT_SAMPLES, RT_PRECISION_HINT, RT_BUILD_QUALITY, RT_LAZY_BUILD,
+ *       RT_FRAMEBUFFER_SRGB, RT_MULTISAMPLE,
+ *       RT_FRAME_DEPTH, RT_SCENE_BINDING,
+ *       RT_FRAME_PROGRESS (of the frame of rtStartRendering, 0 to 1; 1 when there is none),
+ *       RT_STAT_TRIANGLES, _INSTANCES, _NODES, _LEAVES, _REFERENCES, _DROPPED_TRIANGLES,
+ *       _DROPPED_INSTANCES (of the scene of the last frame started), _BYTES, _PEAK_BYTES,
+ *       _MODELS_BUILT, _BUILD_MICROSECONDS (of this context), _RAYS, _PRIMARY_RAYS, _SHADOW_RAYS,
+ *       _SECONDARY_RAYS, _BAD_PIXELS, _BUSY_MICROSECONDS, _IDLE_MICROSECONDS (of the last frame
+ *       waited for)
  * Errors:  RT_INVALID_ENUM       no such value
  *          RT_INVALID_OPERATION  a value of OpenGL's that is not part of this release
  *          RT_INVALID_VALUE      params NULL

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* n unused texture ids. They become textures when they are first bound.
+/* Gives n unused ids of textures. They become textures when they are first bound.
  * Errors:  RT_INVALID_VALUE  n negative, or textures NULL with n above 0
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtGenTextures(RTsizei n, RTuint *textures);
@@ -21,9 +21,9 @@ RTAPI void RTAPIENTRY rtGenTextures(RTsizei n, RTuint *textures);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDeleteTextures(RTsizei n, const RTuint *textures);
 
-/* The texture of one or two dimensions that the calls below are about; an unknown id becomes a new
- * texture with this number of dimensions. 0 is a texture of each that no shader can look up. Legal
- * in objects.
+/* Binds a texture of one or two dimensions: the calls about textures are about it. An unknown id
+ * becomes a new texture with this number of dimensions. 0 is a texture of each that no shader can
+ * look up. Legal in objects.
  * Errors:  RT_INVALID_ENUM       target is no texture target
  *          RT_INVALID_VALUE      id above 1048575
  *          RT_INVALID_OPERATION  target is neither RT_TEXTURE_1D nor RT_TEXTURE_2D: not part of this
@@ -31,7 +31,7 @@ RTAPI void RTAPIENTRY rtDeleteTextures(RTsizei n, const RTuint *textures);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBindTexture(RTenum target, RTuint texture);
 
-/* RT_TRUE if the id has been bound and not deleted since.
+/* Whether an id is that of a texture: it has been bound and not deleted since.
  * Threads: the context's. Since: 0.1 */
 RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture);
 
@@ -72,14 +72,18 @@ RTAPI void RTAPIENTRY rtTexImage2D(RTenum target, RTint level, RTint internalFor
                                    RTsizei height, RTint border, RTenum format, RTenum type,
                                    const void *pixels);
 
-/* The same for the bound texture of one dimension, whose images have one row, and for
- * RT_PROXY_TEXTURE_1D.
+/* Gives a level of the bound texture of one dimension its image: as rtTexImage2D does, of one row;
+ * also for RT_PROXY_TEXTURE_1D.
+ * Errors:  RT_INVALID_ENUM       target, format or type is no such token
+ *          RT_INVALID_VALUE      size, level, border or internalFormat out of range
+ *          RT_INVALID_OPERATION  a target, border, format or type that OpenGL has and this release
+ *                                has not; a type of fields that does not fit the format
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFormat, RTsizei width,
                                    RTint border, RTenum format, RTenum type, const void *pixels);
 
-/* Replaces a part of a level's image, converted to the precision that the image has. At the base
- * level, with RT_GENERATE_MIPMAP, the levels after it are made anew.
+/* Replaces a part of a level's image; it is converted to the precision that the image has. At the
+ * base level, with RT_GENERATE_MIPMAP, the levels after it are made anew.
  * Errors:  RT_INVALID_ENUM       target, format or type is no such token
  *          RT_INVALID_VALUE      the part does not lie inside the image, a size is negative, pixels
  *                                is NULL
@@ -89,11 +93,18 @@ RTAPI void RTAPIENTRY rtTexImage1D(RTenum target, RTint level, RTint internalFor
 RTAPI void RTAPIENTRY rtTexSubImage2D(RTenum target, RTint level, RTint xoffset, RTint yoffset,
                                       RTsizei width, RTsizei height, RTenum format, RTenum type,
                                       const void *pixels);
-/* The same for images of one row. Threads: the context's. Since: 0.1 */
+
+/* Replaces a part of a level of the bound texture of one dimension: as rtTexSubImage2D does.
+ * Errors:  RT_INVALID_ENUM       target, format or type is no such token
+ *          RT_INVALID_VALUE      the part does not lie inside the image, a size is negative, pixels
+ *                                is NULL
+ *          RT_INVALID_OPERATION  the level has no image; a target, format or type that OpenGL has
+ *                                and this release has not
+ * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtTexSubImage1D(RTenum target, RTint level, RTint xoffset, RTsizei width,
                                       RTenum format, RTenum type, const void *pixels);
 
-/* All textures are in memory: priorities have no effect, and all that exist are resident.
+/* Priorities of textures, without effect: all that exist are in memory, and resident.
  * Errors:  RT_INVALID_VALUE  n negative, NULL with n above 0; rtAreTexturesResident: an unknown id
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtPrioritizeTextures(RTsizei n, const RTuint *textures,
@@ -126,17 +137,19 @@ RTAPI void RTAPIENTRY rtTexParameterf(RTenum target, RTenum pname, RTfloat param
 RTAPI void RTAPIENTRY rtTexParameteriv(RTenum target, RTenum pname, const RTint *params);
 RTAPI void RTAPIENTRY rtTexParameterfv(RTenum target, RTenum pname, const RTfloat *params);
 
-/* What rtTexParameter set.
- * Errors:  as there
+/* How the bound texture is looked up: what rtTexParameteri and the like have set.
+ * Errors:  RT_INVALID_ENUM       target or pname is no such token
+ *          RT_INVALID_VALUE      params NULL
+ *          RT_INVALID_OPERATION  one that OpenGL has and this release has not
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtGetTexParameteriv(RTenum target, RTenum pname, RTint *params);
 RTAPI void RTAPIENTRY rtGetTexParameterfv(RTenum target, RTenum pname, RTfloat *params);
 
-/* RT_TEXTURE_WIDTH, _HEIGHT, _BORDER, _INTERNAL_FORMAT of a level of the bound texture, and the
- * bits of its components: RT_TEXTURE_RED_SIZE, _GREEN_SIZE, _BLUE_SIZE, _ALPHA_SIZE,
+/* Facts of a level of the bound texture: RT_TEXTURE_WIDTH, _HEIGHT, _BORDER, _INTERNAL_FORMAT, and
+ * the bits of its components: RT_TEXTURE_RED_SIZE, _GREEN_SIZE, _BLUE_SIZE, _ALPHA_SIZE,
  * _LUMINANCE_SIZE. Levels that the library makes have them too, levels without an image 0. Of
- * RT_PROXY_TEXTURE_1D and _2D: what rtTexImage said there; all other calls refuse these targets with
- * RT_INVALID_ENUM.
+ * RT_PROXY_TEXTURE_1D and _2D: what rtTexImage said there; all other calls refuse these targets
+ * with RT_INVALID_ENUM.
  * Errors:  RT_INVALID_ENUM       target or pname is no such token
  *          RT_INVALID_VALUE      level out of range, params NULL
  *          RT_INVALID_OPERATION  RT_TEXTURE_COMPRESSED_IMAGE_SIZE: nothing is compressed
@@ -146,8 +159,8 @@ RTAPI void RTAPIENTRY rtGetTexLevelParameteriv(RTenum target, RTint level, RTenu
 RTAPI void RTAPIENTRY rtGetTexLevelParameterfv(RTenum target, RTint level, RTenum pname,
                                                RTfloat *params);
 
-/* The image of a level of the bound texture, as rtPixelStore of the kind RT_PACK_ says; nothing
- * where the level has none.
+/* The image of a level of the bound texture; laid out as rtPixelStore of the kind RT_PACK_ says.
+ * Nothing where the level has none.
  * Errors:  RT_INVALID_ENUM       target, format or type is no such token
  *          RT_INVALID_VALUE      level out of range, pixels NULL
  *          RT_INVALID_OPERATION  format and type do not fit, or are not of colours

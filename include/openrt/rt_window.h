@@ -16,15 +16,16 @@
 extern "C" {
 #endif
 
-/* Clears, inside the scissor: RT_COLOR_BUFFER_BIT to the clear colour where the colour mask allows,
- * RT_DEPTH_BUFFER_BIT to the clear depth if the depth mask does. RT_STENCIL_BUFFER_BIT and
+/* Clears buffers inside the scissor: RT_COLOR_BUFFER_BIT to the clear colour where the colour mask
+ * allows, RT_DEPTH_BUFFER_BIT to the clear depth if the depth mask does. RT_STENCIL_BUFFER_BIT and
  * RT_ACCUM_BUFFER_BIT are accepted. What clears of colour and depth leave nothing of is forgotten.
- * From the first rtClear on RT_DEPTH_TEST is off unless it was ever set: see rt_state.h.
- * Not in an object.
+ * From the first rtClear on RT_DEPTH_TEST is off unless it was ever set: see rt_state.h. Not in an
+ * object.
  * Errors:  RT_INVALID_VALUE  other bits
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClear(RTbitfield mask);
-/* 0 to 1, clamped; 1 at the start. Not in an object.
+
+/* The depth that rtClear clears to: 0 to 1, clamped; 1 at the start. Not in an object.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClearDepth(RTclampd depth);
 
@@ -34,23 +35,24 @@ RTAPI void RTAPIENTRY rtClearDepth(RTclampd depth);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtScissor(RTint x, RTint y, RTsizei width, RTsizei height);
 
-/* Window depth of the near and the far plane, clamped to 0 to 1; 0 and 1 at the start. Not in an
- * object.
+/* The depth in the window of the near and the far plane; clamped to 0 to 1; 0 and 1 at the start.
+ * Not in an object.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDepthRange(RTclampd near_val, RTclampd far_val);
 
-/* There is one buffer of colours, whatever its name: RT_FRONT, RT_BACK, RT_LEFT, RT_FRONT_LEFT,
- * RT_BACK_LEFT, for drawing RT_FRONT_AND_BACK too. RT_NONE: nothing is drawn but depths. Not in an
- * object.
+/* The buffer to draw to and to read from: there is one, whatever its name: RT_FRONT, RT_BACK,
+ * RT_LEFT, RT_FRONT_LEFT, RT_BACK_LEFT, for drawing RT_FRONT_AND_BACK too. RT_NONE: nothing is
+ * drawn but depths. Not in an object.
  * Errors:  RT_INVALID_ENUM       unknown name
  *          RT_INVALID_OPERATION  a buffer for the right eye, or an auxiliary one
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtDrawBuffer(RTenum mode);
 RTAPI void RTAPIENTRY rtReadBuffer(RTenum mode);
 
-/* Renders what the bound scene was given so far, unless nothing was added since the last time, and
- * stores a rectangle of the picture; pixels outside of the frame buffer stay as they are in
- * `pixels`. The scene stays open. After rtRender, with nothing new, it is that picture.
+/* Reads a rectangle of the picture back. Renders what the bound scene was given so far, unless
+ * nothing was added since the last time, and stores the rectangle; pixels outside of the frame
+ * buffer stay as they are in `pixels`. The scene stays open. After rtRender, with nothing new, it
+ * is that picture.
  *
  * Without rtSetFrameBuffer the picture is kept in memory of the library's, as large as the viewport
  * needs it, in 8 bits a channel. Formats: RT_RED, RT_GREEN, RT_BLUE, RT_ALPHA, RT_RGB, RT_RGBA,
@@ -68,10 +70,14 @@ RTAPI void RTAPIENTRY rtReadBuffer(RTenum mode);
 RTAPI void RTAPIENTRY rtReadPixels(RTint x, RTint y, RTsizei width, RTsizei height, RTenum format,
                                    RTenum type, void *pixels);
 
-/* As rtTexImage and rtTexSubImage, with the pixels of the picture so far: in 8 bits a channel,
- * 0 outside of the frame buffer. Not in an object.
- * Errors:  those of rtTexImage2D, rtTexSubImage2D and rtReadPixels
- *          RT_INVALID_ENUM  a number as internal format
+/* Makes an image of a texture, or a part of one, from the picture so far: as rtTexImage2D and
+ * rtTexSubImage2D do, in 8 bits a channel, 0 outside of the frame buffer. Not in an object.
+ * Errors:  RT_INVALID_ENUM       target is no such token; a number as internal format
+ *          RT_INVALID_VALUE      size, level, border or internal format out of range; the part does
+ *                                not lie inside the image
+ *          RT_INVALID_OPERATION  a target, border or format that OpenGL has and this release has
+ *                                not; the level has no image; no frame buffer and no viewport
+ *          what went wrong while the picture was rendered
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtCopyTexImage1D(RTenum target, RTint level, RTenum internalformat, RTint x,
                                        RTint y, RTsizei width, RTint border);
@@ -83,7 +89,7 @@ RTAPI void RTAPIENTRY rtCopyTexSubImage2D(RTenum target, RTint level, RTint xoff
                                           RTint yoffset, RTint x, RTint y, RTsizei width,
                                           RTsizei height);
 
-/* Draws a rectangle of the picture so far at the raster position, as rtDrawPixels does. Not in an
+/* Draws a rectangle of the picture so far at the raster position; as rtDrawPixels does. Not in an
  * object.
  * Errors:  RT_INVALID_ENUM       unknown type
  *          RT_INVALID_VALUE      a negative size

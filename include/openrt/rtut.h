@@ -48,24 +48,25 @@ extern "C" {
 
 /* ---- Start and main loop ---------------------------------------------------------------- */
 
-/* Takes the arguments above out of argv, then calls rtInit with it unless a context is current.
+/* Starts the library of windows. Takes the arguments that this header names out of argv, then calls
+ * rtInit with it unless a context is current.
  * A program whose first call is another one is as if it had called rtutInit(NULL, NULL).
  * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutInit(int *argcp, char **argv);
 
-/* The first position and size, and the display mode (RTUT_RGBA | RTUT_SINGLE at the start;
- * RTUT_DOUBLE; RTUT_MULTISAMPLE enables RT_MULTISAMPLE; RTUT_INDEX is left out, the rest is always
- * there or ignored) of windows opened from now on. The string asks for "double" or "single",
+/* Position, size and display mode of windows opened from now on. The mode (RTUT_RGBA | RTUT_SINGLE
+ * at the start; RTUT_DOUBLE; RTUT_MULTISAMPLE enables RT_MULTISAMPLE; RTUT_INDEX is left out, the
+ * rest is always there or ignored) is also given as a string, which asks for "double" or "single",
  * "samples"; the rest of it is ignored. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutInitDisplayMode(unsigned int mode);
 RTAPI void RTAPIENTRY rtutInitDisplayString(const char *string);
 RTAPI void RTAPIENTRY rtutInitWindowPosition(int x, int y);
 RTAPI void RTAPIENTRY rtutInitWindowSize(int width, int height);
 
-/* Calls callbacks until the last window is closed or rtutLeaveMainLoop is called. Then the
- * contexts end and so does the program, exit status 0: it never returns, but after
- * rtutLeaveMainLoop it does. A window without a display callback, a lack of memory, an exception that
- * leaves a callback: message and exit status 1. Since: 0.1 */
+/* Calls callbacks until the last window is closed or rtutLeaveMainLoop is called. Then the contexts
+ * end and so does the program, exit status 0: it never returns, but after rtutLeaveMainLoop it
+ * does. A window without a display callback, a lack of memory, an exception that leaves a callback:
+ * message and exit status 1. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutMainLoop(void);
 RTAPI void RTAPIENTRY rtutLeaveMainLoop(void);
 
@@ -74,16 +75,21 @@ RTAPI const char *RTAPIENTRY rtutGetErrorText(void);
 
 /* ---- Windows ---------------------------------------------------------------------------- */
 
-/* Opens a window, makes it and its context current, and returns its number, from 1. Where no
+/* Opens a window, makes it and its context current, and returns its number; from 1. Where no
  * window can be opened: message and exit status 1. Since: 0.1 */
 RTAPI int RTAPIENTRY rtutCreateWindow(const char *title);
-/* Left out: returns 0. Since: 0.1 */
+
+/* Subwindows, which are left out: returns 0. Since: 0.1 */
 RTAPI int RTAPIENTRY rtutCreateSubWindow(int window, int x, int y, int width, int height);
-/* Unknown windows are ignored. rtutGetWindow is 0 without a window. Since: 0.1 */
+
+/* Close a window, and which window is current. Unknown windows are ignored. rtutGetWindow is 0
+ * without a window. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutDestroyWindow(int window);
 RTAPI void RTAPIENTRY rtutSetWindow(int window);
 RTAPI int RTAPIENTRY rtutGetWindow(void);
-/* These act on the current window, and off-screen rtutReshapeWindow alone does. Since: 0.1 */
+
+/* Change the current window: off-screen rtutReshapeWindow alone has an effect. rtutPostRedisplay
+ * asks for a call of the display callback. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutSetWindowTitle(const char *title);
 RTAPI void RTAPIENTRY rtutSetIconTitle(const char *title);
 RTAPI void RTAPIENTRY rtutReshapeWindow(int width, int height);
@@ -96,17 +102,22 @@ RTAPI void RTAPIENTRY rtutPopWindow(void);
 RTAPI void RTAPIENTRY rtutFullScreen(void);
 RTAPI void RTAPIENTRY rtutPostRedisplay(void);
 RTAPI void RTAPIENTRY rtutPostWindowRedisplay(int window);
-/* No effect in a single-buffered window. Errors of the frame are recorded in its context.
+
+/* Queues the frame and shows the newest finished one. No effect in a single-buffered window.
+ * rtutWarpPointer moves the pointer.
+ * Errors:  of rtutSwapBuffers: what went wrong with a frame, in the context of its window
  * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutSwapBuffers(void);
 RTAPI void RTAPIENTRY rtutWarpPointer(int x, int y);
-/* Cursors that the window system lacks become the arrow. Since: 0.1 */
+
+/* The cursor of the current window: those that the window system lacks become the arrow.
+ * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutSetCursor(int cursor);
 
 /* ---- Callbacks -------------------------------------------------------------------------- */
 
-/* Of the current window. Without a reshape callback rtViewport is set to the window's size.
- * Positions are in pixels from the upper left corner. Since: 0.1 */
+/* The callbacks of the current window. Without a reshape callback rtViewport is set to the window's
+ * size. Positions are in pixels from the upper left corner. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutDisplayFunc(void (*callback)(void));
 RTAPI void RTAPIENTRY rtutReshapeFunc(void (*callback)(int width, int height));
 RTAPI void RTAPIENTRY rtutKeyboardFunc(void (*callback)(unsigned char key, int x, int y));
@@ -120,13 +131,14 @@ RTAPI void RTAPIENTRY rtutEntryFunc(void (*callback)(int state));
 RTAPI void RTAPIENTRY rtutVisibilityFunc(void (*callback)(int state));
 RTAPI void RTAPIENTRY rtutWindowStatusFunc(void (*callback)(int state));
 
-/* Of the program. A timer is called once, at the earliest after so many milliseconds; one of 0
- * milliseconds that is asked for by a timer, in the next round of the main loop. Since: 0.1 */
+/* The callbacks of the program. A timer is called once, at the earliest after so many milliseconds;
+ * one of 0 milliseconds that is asked for by a timer, in the next round of the main loop.
+ * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutIdleFunc(void (*callback)(void));
 RTAPI void RTAPIENTRY rtutTimerFunc(unsigned int milliseconds, void (*callback)(int value),
                                     int value);
 
-/* Left out: never called. Since: 0.1 */
+/* Callbacks of devices and menus, which are left out: never called. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutMenuStateFunc(void (*callback)(int state));
 RTAPI void RTAPIENTRY rtutMenuStatusFunc(void (*callback)(int status, int x, int y));
 RTAPI void RTAPIENTRY rtutOverlayDisplayFunc(void (*callback)(void));
@@ -143,23 +155,32 @@ RTAPI void RTAPIENTRY rtutTabletButtonFunc(void (*callback)(int button, int stat
 
 /* ---- Queries ---------------------------------------------------------------------------- */
 
-/* -1 for another query. Without a window the RTUT_WINDOW_ values are 0. Since: 0.1 */
+/* Answers about windows, devices and the program. -1 for another query. Without a window the
+ * RTUT_WINDOW_ values are 0. Since: 0.1 */
 RTAPI int RTAPIENTRY rtutGet(RTenum query);
 RTAPI int RTAPIENTRY rtutDeviceGet(RTenum query);
 RTAPI int RTAPIENTRY rtutLayerGet(RTenum query);
-/* Of the event whose callback is running; 0 elsewhere. Since: 0.1 */
+
+/* Which of shift, control and alt were held; of the event whose callback is running, 0 elsewhere.
+ * Since: 0.1 */
 RTAPI int RTAPIENTRY rtutGetModifiers(void);
+
 /* Whether RT_EXTENSIONS (rtGetString) of the current context names it. Since: 0.1 */
 RTAPI int RTAPIENTRY rtutExtensionSupported(const char *extension);
-/* Prints the errors of rtGetError on stderr. Since: 0.1 */
+
+/* Prints the errors of rtGetError on stderr, and so clears them.
+ * Errors:  None.
+ * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutReportErrors(void);
+
 /* Whether holding a key calls the callbacks again; it does at the start. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutIgnoreKeyRepeat(int ignore);
 RTAPI void RTAPIENTRY rtutSetKeyRepeat(int repeatMode);
 
 /* ---- Left out: menus, overlays, colour index, game mode, video ---------------------------- */
 
-/* rtutCreateMenu returns a number from 1, the others 0, or -1 where GLUT has that.
+/* Menus, overlays, colour index, game mode, video: left out. rtutCreateMenu returns a number from
+ * 1, the others 0, or -1 where GLUT has that.
  * Since: 0.1 */
 RTAPI int RTAPIENTRY rtutCreateMenu(void (*callback)(int value));
 RTAPI void RTAPIENTRY rtutDestroyMenu(int menu);
@@ -194,8 +215,9 @@ RTAPI void RTAPIENTRY rtutVideoPan(int x, int y, int width, int height);
 
 /* ---- Text ------------------------------------------------------------------------------- */
 
-/* Draws a character at the raster position and moves that on (rtBitmap). Fonts RTUT_BITMAP_...,
- * codes 32 to 126 and 160 to 255 (Latin-1); others draw nothing and are 0 wide. Since: 0.1 */
+/* Draws a character at the raster position and moves that on, as rtBitmap does. Fonts
+ * RTUT_BITMAP_..., codes 32 to 126 and 160 to 255 (Latin-1); others draw nothing and are 0 wide.
+ * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutBitmapCharacter(void *font, int character);
 RTAPI int RTAPIENTRY rtutBitmapWidth(void *font, int character);
 RTAPI int RTAPIENTRY rtutBitmapLength(void *font, const unsigned char *string);
@@ -210,12 +232,14 @@ RTAPI int RTAPIENTRY rtutStrokeLength(void *font, const unsigned char *string);
 
 /* ---- Shapes ----------------------------------------------------------------------------- */
 
-/* About the origin, with normals. Solid shapes are anticlockwise from outside, but for the teapot,
- * which is clockwise as GLUT's is and has texture coordinates. Sphere and cone (base in z = 0, top
- * at z = height, no cap) are rtuSphere's and rtuCylinder's, with their errors; a torus (inner: the
- * radius of the tube, outer: of the ring) with sides or rings below 1 draws nothing, and has 4096
- * of each at most. Circumscribed radii: dodecahedron sqrt(3), octahedron and icosahedron 1,
- * tetrahedron 3. Since: 0.1 */
+/* Draw a shape about the origin, with normals. Solid shapes are anticlockwise from outside, but for
+ * the teapot, which is clockwise as GLUT's is and has texture coordinates. Sphere and cone (base in
+ * z = 0, top at z = height, no cap) are rtuSphere's and rtuCylinder's; a torus
+ * (inner: the radius of the tube, outer: of the ring) with sides or rings below 1 draws nothing,
+ * and has 4096 of each at most. Circumscribed radii: dodecahedron sqrt(3), octahedron and
+ * icosahedron 1, tetrahedron 3.
+ * Errors:  RT_INVALID_VALUE  numbers that rtuSphere and rtuCylinder refuse: nothing is drawn
+ * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutWireSphere(RTdouble radius, RTint slices, RTint stacks);
 RTAPI void RTAPIENTRY rtutSolidSphere(RTdouble radius, RTint slices, RTint stacks);
 RTAPI void RTAPIENTRY rtutWireCone(RTdouble base, RTdouble height, RTint slices, RTint stacks);
