@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """The binary interface against that of each release (compat/interface/LIBRARY-VERSION.abi.gz): what
 abidiff says of a library of empty functions that is made of the public C headers, the version
-script and the soname. That the real library exports just these is what exported_symbols.py shows.
+script and the soname. That the real libraries export just these and have that soname is what
+exported_symbols.py shows.
 
     binary_interface.py ROOT --include DIR... --compiler CC            what a program would meet
     binary_interface.py ROOT --include DIR... --compiler CC --write VERSION
@@ -21,6 +22,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "calls"))
 
 import api_functions  # noqa: E402
+from exported_symbols import SOVERSION  # noqa: E402
 
 # Library: its headers, or all others; version script.
 LIBRARIES = {"libOpenRT": (None, "compat/libOpenRT.map"),
@@ -51,7 +53,7 @@ def interface(library, source, script, include, compiler, folder):
     (folder / f"{library}.c").write_text(source, encoding="utf-8")
     subprocess.run([compiler, "-std=c99", "-g", "-O0", "-shared", "-fPIC", "-fvisibility=hidden",
                     *(f"-I{path}" for path in include), f"{library}.c", "-o", made,
-                    f"-Wl,-soname,{library}.so.0", f"-Wl,--version-script={script}"],
+                    f"-Wl,-soname,{library}.so.{SOVERSION}", f"-Wl,--version-script={script}"],
                    cwd=folder, check=True)
     told = folder / f"{library}.abi"
     subprocess.run(["abidw", "--no-show-locs", "--no-corpus-path", "--no-comp-dir-path",

@@ -113,8 +113,9 @@ class ExportedSymbols(unittest.TestCase):
     GOOD = {"rtInit": "OPENRT_0.1"}
 
     def problems(self, declared, exported, needed=("libstdc++.so.6", "libc.so.6"),
-                 library="libOpenRT"):
-        return exported_symbols.problems(library, set(declared), exported, list(needed))
+                 library="libOpenRT", soversion=exported_symbols.SOVERSION):
+        return exported_symbols.problems(library, set(declared), exported, list(needed),
+                                         [f"{library}.so.{soversion}"])
 
     def test_parses_declarations(self):
         text = ('__attribute__((visibility("default"))) void rtInit(int *argcp);'
@@ -135,6 +136,7 @@ class ExportedSymbols(unittest.TestCase):
         self.assertEqual(len(self.problems(["rtInit"], {**self.GOOD, "_Z1fv": None})), 1)
         self.assertEqual(len(self.problems(["rtInit"], {"rtInit": None})), 1)
         self.assertEqual(len(self.problems(["rtInit"], self.GOOD, ["libhwy.so.1"])), 1)
+        self.assertEqual(len(self.problems(["rtInit"], self.GOOD, soversion="0.1")), 1)
         self.assertNotEqual(self.problems([], {}), [])
 
     def test_looks_at_each_library(self):

@@ -5,7 +5,7 @@
 libOpenRT and librtut export the functions that the public C headers declare, each in a version node
 of the release; libOpenRT-mpi the symbols that its header names, without a version, as it is of one
 build with libOpenRT. None exports anything else. Each needs the C and C++ run-time, and no library
-that is not listed here.
+that is not listed here. All have the soname whose meaning docs/compatibility.md tells.
 """
 import argparse
 import dataclasses
@@ -14,6 +14,7 @@ import re
 import subprocess
 import sys
 
+SOVERSION = 0
 MPI_HEADER = pathlib.Path(__file__).resolve().parents[2] / "compat/mpi/mpi_component.h"
 RTUT_HEADERS = {"rtut.h"}
 RENAMING_HEADERS = {"gl.h"}
@@ -66,11 +67,11 @@ def exported_symbols(nm_output):
     return symbols
 
 
-def needed_libraries(readelf_output):
-    return re.findall(r"\(NEEDED\).*\[(.*)\]", readelf_output)
+def dynamic_entries(readelf_output, tag):
+    return re.findall(rf"\({tag}\).*\[(.*)\]", readelf_output)
 
 
-def problems(library, declared, exported, needed):
+def problems(library, declared, exported, needed, sonames):
     node = LIBRARIES[library].node
     found = [f"declared, but not exported: {n}" for n in sorted(declared - exported.keys())]
     found += [f"exported, but not declared: {n}" for n in sorted(exported.keys() - declared)]
@@ -79,6 +80,8 @@ def problems(library, declared, exported, needed):
               (re.fullmatch(node + r"_\d+\.\d+", version or "") if node else version is None)]
     found += [f"needs {name}, which is no part of the run-time and not listed" for name in needed
               if not re.match(rf"({RUNTIME}|{LIBRARIES[library].needs})\.so(\.\d+)*$", name)]
+    if sonames != [f"{library}.so.{SOVERSION}"]:
+        found.append(f"has the soname {sonames}")
     if not declared:
         found.append("no declaration found in the headers")
     return [f"{library}: {problem}" for problem in found]
@@ -99,8 +102,9 @@ def main():
         library = path.name.split(".")[0]
         declared = declared_symbols(arguments.compiler, arguments.include, library)
         exported = exported_symbols(output_of("nm", "-D", "--defined-only", path))
-        needed = needed_libraries(output_of("readelf", "-dW", path))
-        found += problems(library, declared, exported, needed)
+        dynamic = output_of("readelf", "-dW", path)
+        needed = dynamic_entries(dynamic, "NEEDED")
+        found += problems(library, declared, exported, needed, dynamic_entries(dynamic, "SONAME"))
         print(f"{library}: {len(declared)} symbols declared; needs {' '.join(needed)}")
     print("\n".join(found))
     return 1 if found else 0
