@@ -36,15 +36,6 @@ namespace {
 
 constexpr uint32_t kMaxSide = 16384; // the library's largest texture
 
-void take(PixelBudget& budget, uint64_t width, uint64_t height) {
-    if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide) {
-        throw LoadError("an image of " + std::to_string(width) + " x " + std::to_string(height) +
-                        " pixels; 1 to " + std::to_string(kMaxSide) + " a side are accepted");
-    }
-    if (width * height > budget.pixelsLeft) throw LoadError("its images are too large in all");
-    budget.pixelsLeft -= width * height;
-}
-
 /// A PNG file without what it says of its colours' encoding, by which libpng would convert them. A
 /// texture's numbers are used as they are (glTF 2.0, 3.8.3): its place in the material says whether
 /// they are sRGB.
@@ -76,7 +67,7 @@ Image decodePng(std::span<const uint8_t> bytes, PixelBudget& budget) {
     if (!png_image_begin_read_from_memory(&png, file.data(), file.size())) {
         throw LoadError(std::string("a broken PNG image: ") + png.message);
     }
-    take(budget, png.width, png.height);
+    takePixels(budget, png.width, png.height);
     png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // or 16 bits would count as linear
     png.format = PNG_FORMAT_RGBA;
     Image image{png.width, png.height, std::vector<uint8_t>(PNG_IMAGE_SIZE(png))};
@@ -95,7 +86,7 @@ Image decodeJpeg([[maybe_unused]] std::span<const uint8_t> bytes,
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) {
         throw LoadError(std::string("a broken JPEG image: ") + stbi_failure_reason());
     }
-    take(budget, uint64_t(std::max(width, 0)), uint64_t(std::max(height, 0)));
+    takePixels(budget, uint64_t(std::max(width, 0)), uint64_t(std::max(height, 0)));
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4),
         &stbi_image_free);
@@ -108,6 +99,15 @@ Image decodeJpeg([[maybe_unused]] std::span<const uint8_t> bytes,
 }
 
 } // namespace
+
+void takePixels(PixelBudget& budget, uint64_t width, uint64_t height) {
+    if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide) {
+        throw LoadError("an image of " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels; 1 to " + std::to_string(kMaxSide) + " a side are accepted");
+    }
+    if (width * height > budget.pixelsLeft) throw LoadError("its images are too large in all");
+    budget.pixelsLeft -= width * height;
+}
 
 Image decodeImage(std::span<const uint8_t> bytes, PixelBudget& budget) {
     constexpr uint8_t kPng[] = {0x89, 'P', 'N', 'G'};

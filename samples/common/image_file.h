@@ -14,6 +14,9 @@ struct PixelBudget {
     uint64_t pixelsLeft = uint64_t(256) << 20;
 };
 
+/// Takes the pixels of an image from the budget; throws LoadError if they are none or too many.
+void takePixels(PixelBudget& budget, uint64_t width, uint64_t height);
+
 /// A PNG or JPEG in memory; throws LoadError.
 Image decodeImage(std::span<const uint8_t> bytes, PixelBudget& budget);
 

@@ -54,6 +54,27 @@ RTuint newLight(const LightDescription& light) {
     return shader;
 }
 
+/// glTF files have no sky: a clear one, pale at the horizon, over brown ground.
+const Environment& plainSky() {
+    static const Environment kSky = [] {
+        constexpr uint32_t kRows = 128;
+        constexpr glm::vec3 kGround{0.16f, 0.14f, 0.12f}, kHorizon{0.64f, 0.69f, 0.74f};
+        constexpr glm::vec3 kZenith{0.12f, 0.24f, 0.45f};
+        Environment made{1, kRows, {}};
+        for (uint32_t row = 0; row < kRows; ++row) {
+            const float elevation = glm::pi<float>() * ((float(row) + 0.5f) / kRows - 0.5f);
+            const float height = std::sin(elevation);
+            const float haze = std::exp(-4.0f * std::max(height, 0.0f));
+            const glm::vec3 sky = kZenith + (kHorizon - kZenith) * haze;
+            const float ground = std::clamp(-height * 12.0f, 0.0f, 1.0f);
+            const glm::vec3 color = sky + (kGround - sky) * ground;
+            made.rgb.insert(made.rgb.end(), {color.x, color.y, color.z});
+        }
+        return made;
+    }();
+    return kSky;
+}
+
 } // namespace
 
 void checkRt() {
@@ -101,7 +122,7 @@ RtScene::RtScene(const SceneDescription& scene, const Bounds& bounds, const View
         }
     }
     addLights(scene, bounds, view, lighting);
-    addSky();
+    addSky(lighting.environment);
     perspective_ = newShader("PinholeCameraShader");
     orthographic_ = newShader("Orthographic");
     checkRt();
@@ -212,25 +233,14 @@ void RtScene::addLights(const SceneDescription& scene, const Bounds& bounds, con
     set("radiance", glm::vec3(0.9f * exposure_));
 }
 
-/// glTF files have no sky: a clear one, pale at the horizon, over brown ground.
-void RtScene::addSky() {
-    constexpr int kRows = 128;
-    constexpr glm::vec3 kGround{0.16f, 0.14f, 0.12f}, kHorizon{0.64f, 0.69f, 0.74f};
-    constexpr glm::vec3 kZenith{0.12f, 0.24f, 0.45f};
-    std::array<glm::vec3, kRows> rows;
-    for (int row = 0; row < kRows; ++row) {
-        const float elevation = glm::pi<float>() * ((float(row) + 0.5f) / kRows - 0.5f);
-        const float height = std::sin(elevation);
-        const float haze = std::exp(-4.0f * std::max(height, 0.0f));
-        const glm::vec3 sky = kZenith + (kHorizon - kZenith) * haze;
-        const float ground = std::clamp(-height * 12.0f, 0.0f, 1.0f);
-        rows[std::size_t(row)] = sky + (kGround - sky) * ground;
-    }
+void RtScene::addSky(const Environment& environment) {
+    const Environment& sky = environment.rgb.empty() ? plainSky() : environment;
     RTuint id = 0;
     rtGenTextures(1, &id);
     rtBindTexture(RT_TEXTURE_2D, id);
     rtTexParameteri(RT_TEXTURE_2D, RT_TEXTURE_WRAP_T, RT_CLAMP_TO_EDGE);
-    rtTexImage2D(RT_TEXTURE_2D, 0, RT_RGB, 1, kRows, 0, RT_RGB, RT_FLOAT, rows.data());
+    rtTexImage2D(RT_TEXTURE_2D, 0, RT_RGB, RTsizei(sky.width), RTsizei(sky.height), 0, RT_RGB,
+                 RT_FLOAT, sky.rgb.data());
     sky_ = newShader("ImageEnvironment");
     set("texture", int(id));
     set("scale", exposure_);

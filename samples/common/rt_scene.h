@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "samples/common/environment_file.h"
 #include "samples/common/scene_description.h"
 #include "samples/common/view.h"
 
@@ -15,6 +16,7 @@ namespace samples {
 struct Lighting {
     std::vector<glm::vec3> pointLights; ///< added to those of the file
     float exposure = 1.0f;              ///< factor on all light
+    Environment environment;            ///< in the place of a sky, if it has pixels
 };
 
 /// Shaders in the place of what the scene says; 0: none. The lights are beside those of the scene.
@@ -49,7 +51,7 @@ private:
     void useCamera(const View& view, float aspect) const;
     void addLights(const SceneDescription& scene, const Bounds& bounds, const View& view,
                    const Lighting& lighting);
-    void addSky();
+    void addSky(const Environment& environment);
 
     std::vector<std::array<RTuint, 2>> textures_; ///< by index: [0] linear, [1] sRGB; 0 = not made
     std::vector<Instance> instances_;

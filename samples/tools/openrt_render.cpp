@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "samples/common/confined_folder.h"
@@ -99,6 +100,9 @@ int run() {
     // Everything that can be refused without work comes first.
     const Format format = formatFrom(options.output);
     const PictureSize size = samples::sizeFrom(options);
+    if (samples::isEnvironmentFile(options.shaders.environment)) {
+        options.environment = std::exchange(options.shaders.environment, {});
+    }
     const samples::Lighting lighting = samples::lightingFrom(options);
     const std::optional<samples::View> wantedView = samples::viewFrom(options);
     rtInit(nullptr, nullptr);

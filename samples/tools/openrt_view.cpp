@@ -229,6 +229,7 @@ int main(int argc, char* argv[]) {
                  "openrt-view");
     options.addSizeTo(app);
     options.addViewTo(app);
+    options.addEnvironmentTo(app);
     options.addTo(app);
     app.add_option("--frames", options.frames,
                    "renders without pause and leaves after so many pictures");

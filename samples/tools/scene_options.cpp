@@ -86,6 +86,11 @@ void SceneOptions::addViewTo(CLI::App& app) {
                    "otherwise the file's first camera, or a view of everything");
 }
 
+void SceneOptions::addEnvironmentTo(CLI::App& app) {
+    app.add_option("--environment", environment,
+                   "picture around the scene by latitude and longitude: .exr .hdr");
+}
+
 void SceneOptions::addRoomTo(CLI::App& app) {
     app.add_option("--camera", camera,
                    "ex,ey,ez,tx,ty,tz,fov: where the room stands: the middle of its floor 1.7 m x "
@@ -122,6 +127,13 @@ Lighting lightingFrom(const SceneOptions& options) {
     lighting.exposure = std::exp2(options.exposureStops);
     if (!(lighting.exposure > 0.0f) || !std::isfinite(lighting.exposure)) {
         throw CLI::ValidationError("--exposure is out of range");
+    }
+    if (!options.environment.empty()) {
+        if (!isEnvironmentFile(options.environment)) {
+            throw CLI::ValidationError("--environment " + options.environment +
+                                       ": its name ends neither in .exr nor in .hdr");
+        }
+        lighting.environment = loadEnvironment(options.environment);
     }
     return lighting;
 }

@@ -17,6 +17,7 @@ struct SceneOptions {
     std::string size = "1024x768";
     std::string precision = "watertight";
     std::string camera;
+    std::string environment; ///< picture around the scene; empty: a plain sky
     std::vector<std::string> lights;
     float exposureStops = 0.0f;
     uint32_t samples = 1, threads = 0, frames = 1;
@@ -24,6 +25,7 @@ struct SceneOptions {
     void addTo(CLI::App& app); ///< those of all programs
     void addSizeTo(CLI::App& app);
     void addViewTo(CLI::App& app); ///< --camera for a picture
+    void addEnvironmentTo(CLI::App& app);
     void addRoomTo(CLI::App& app); ///< --camera for a room around a head
 };
 
@@ -32,7 +34,7 @@ struct PictureSize {
     float aspect() const { return float(width) / float(height); }
 };
 
-/// These throw CLI::ValidationError with one line for the user.
+/// These throw CLI::ValidationError, or std::runtime_error, with one line for the user.
 PictureSize sizeFrom(const SceneOptions& options);
 Lighting lightingFrom(const SceneOptions& options);
 std::optional<View> viewFrom(const SceneOptions& options);

@@ -78,7 +78,7 @@ void ShaderOptions::addTo(CLI::App& app) {
     app.add_option("--surface", surface,
                    "LIBRARY:CLASS of a shader library, or CLASS built in: shows everything");
     app.add_option("--camera-shader", camera, "the same: takes the picture");
-    app.add_option("--environment", environment, "the same: around the scene");
+    app.add_option("--environment", environment, "the same, or a picture by latitude and longitude, .exr .hdr: around the scene");
     app.add_option("--rendering-object", renderingObject, "the same: makes pixels of rays");
     app.add_option("--light-shader", lights, "the same: one more light; repeatable")
         ->allow_extra_args(false);

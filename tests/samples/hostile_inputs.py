@@ -14,6 +14,7 @@ import sys
 import tempfile
 import unittest
 
+import environment_files as files
 from gltf_documents import INF, NAN, document, glb, spoilt, triangle_positions
 from program_runs import Runner, largest_child_bytes
 
@@ -307,6 +308,85 @@ class HostileInputs(unittest.TestCase):
                     path = self.folder / "b.obj"
                 with self.subTest(name=name, content=bytes(broken)):
                     result = self.runner.run(path)
+                    self.assertIn(result.returncode, (0, 1), result.stderr[-2000:])
+
+    def test_environments_that_are_spoilt(self):
+        scene = self.write("good.glb", glb(document()))
+        rows = [[(0.25, 0.5, 0.75 + x / 64) for x in range(40)]] * 20
+        exr, hdr = files.exr(rows), files.hdr(rows)
+        path = self.write("good.exr", exr)
+        if b"built without OpenEXR" in self.runner.run(scene, "--environment", path).stderr:
+            self.skipTest("the program reads no OpenEXR")
+        (self.folder / "out.png").unlink()
+
+        def refused(name, content, word=""):
+            line = self.runner.refusal(scene, "--environment", self.write(name, content))
+            self.assertIn(word, line)
+            self.assertFalse((self.folder / "out.png").exists(), "a picture was left behind")
+
+        for name, good in (("a.exr", exr), ("zip.exr", files.exr(rows, compression=files.ZIP)),
+                           ("tiles.exr", files.tiled_exr(rows, 16)), ("a.hdr", hdr)):
+            self.runner.picture(scene, "--environment", self.write(name, good))  # control
+            (self.folder / "out.png").unlink()
+            for size in [*range(0, 60, 7), *range(60, len(good), max(len(good) // 9, 1)),
+                         len(good) - 1]:
+                with self.subTest(name=name, size=size):
+                    refused(f"cut{name[-4:]}", good[:size])
+
+        def header(width, height, *more, **change):
+            return files.exr_header(width, height, *more, **change) + bytes(4096)
+
+        tiles = files.attribute("tiles", "tiledesc", struct.pack("<IIB", 1, 1, 0))
+        huge_tiles = files.attribute("tiles", "tiledesc", struct.pack("<IIB", 2 ** 31, 2 ** 31, 0))
+        cube = files.attribute("envmap", "envmap", b"\1")
+        many = [files.channel(f"c{i}", files.FLOAT) for i in range(3000)]
+        for content, word in (
+                (header(2 ** 31 - 1, 1), "pixels"), (header(1, 2 ** 31 - 1), "pixels"),
+                (header(16385, 8), "pixels"), (header(0, 1), "pixels"), (header(1, -7), "pixels"),
+                (header(16384, 16384), "too large"), (header(16384, 8192), ""),
+                (header(16384, 8192, tiles, version=0x202), "tiles"),
+                (header(64, 64, huge_tiles, version=0x202), "tiles"),
+                (header(64, 64, version=0x202), "tiles"), (header(64, 64, cube), "cube"),
+                (header(16384, 8, channels=many), "channels"),
+                (header(4, 4, channels=many[:2]), "channels"),
+                (header(4, 4, channels=[files.channel("Y", files.HALF, 2)]), ""),
+                (header(4, 4, compression=200), ""), (header(4, 4, version=0x802), "parts"),
+                (header(4, 4, version=0x1002), "parts"), (header(4, 4, version=3), "version"),
+                (header(4, 4, files.attribute("dataWindow", "box2i", bytes(16))), "repeats"),
+                (exr[:8] + files.attribute("channels", "chlist", b"R"), "beyond"),
+                (exr[:8] + b"a\0b\0" + b"\xff" * 4, "beyond"), (exr[:8] + bytes(64), "channels"),
+                (exr.replace(struct.pack("<iI", 0, 480), struct.pack("<iI", 7, 480)), ""),
+                (exr.replace(struct.pack("<iI", 0, 480), struct.pack("<iI", 0, 2 ** 31 - 1)), ""),
+                (b"", ""), (bytes(300), "begin")):
+            with self.subTest(size=len(content), word=word):
+                refused("header.exr", content, word)
+        start = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n"
+        for content, word in (
+                (start + b"-Y 99999999999 +X 8\n", "pixels"), (start + b"-Y 8 +X 16385\n", "pixels"),
+                (start + b"-Y 0 +X 8\n", "pixels"), (start + b"-Y 16384 +X 8192\n", "cut off"),
+                (start + b"+Y 8 +X 8\n" + bytes(300), "rows"), (start + b"-Y 8\n", "rows"),
+                (start[:11] + b"\n-Y 1 +X 1\n" + bytes(4), "format"), (start * 100, ""),
+                (start + b"-Y 1 +X 8\n" + bytes([2, 2, 0, 8, 0]) + bytes(99), "runs"),
+                (start + b"-Y 1 +X 8\n" + bytes([2, 2, 0, 8, 137]) + bytes(99), "runs"),
+                (b"#?", "cut off"), (hdr.replace(b"32-bit_rle_rgbe", b"32-bit_rle_xyze"), "format")):
+            with self.subTest(content=content[:80]):
+                refused("header.hdr", content, word)
+        for name in ("missing.exr", "folder.exr", "pipe.hdr"):
+            path = self.folder / name
+            if name[0] == "f":
+                path.mkdir()
+            if name[0] == "p":
+                os.mkfifo(path)
+            self.assertIn(name, self.runner.refusal(scene, "--environment", path))
+        generator = random.Random(20091)
+        for good in (exr, files.exr(rows, compression=files.ZIP), files.tiled_exr(rows, 16), hdr):
+            for _ in range(10 if SANITIZED else 40):
+                broken = bytearray(good)
+                for _ in range(generator.randint(1, 4)):
+                    broken[generator.randrange(min(len(broken), 700))] = generator.randrange(256)
+                path = self.write("damaged.exr", bytes(broken))
+                with self.subTest(content=bytes(broken)):
+                    result = self.runner.run(scene, "--environment", path)
                     self.assertIn(result.returncode, (0, 1), result.stderr[-2000:])
 
     def test_files_that_are_none(self):
