@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace samples {
 
@@ -29,6 +28,12 @@ glm::dvec3 HeadPose::eye(int side, double distance) const {
 HeadPath::HeadPath(const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream) throw std::runtime_error(file.string() + ": it can not be read");
+    read(stream, file.string());
+}
+
+HeadPath::HeadPath(std::istream& stream, const std::string& name) { read(stream, name); }
+
+void HeadPath::read(std::istream& stream, const std::string& name) {
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {
         line.resize(std::min(line.find('#'), line.size()));
@@ -38,15 +43,16 @@ HeadPath::HeadPath(const std::filesystem::path& file) {
         std::string rest;
         words >> pose.seconds >> pose.position.x >> pose.position.y >> pose.position.z >>
             pose.angles.x >> pose.angles.y >> pose.angles.z;
-        const bool finite = std::isfinite(pose.seconds + glm::dot(pose.position, pose.position) +
+        // Twice the time: between any two of them lies a time too.
+        const bool finite = std::isfinite(2 * pose.seconds + glm::dot(pose.position, pose.position) +
                                           glm::dot(pose.angles, pose.angles));
         const bool later = samples_.empty() || pose.seconds > samples_.back().seconds;
         if (!words || words >> rest || !finite || !later)
-            throw std::runtime_error(file.string() + ", line " + std::to_string(number) +
+            throw std::runtime_error(name + ", line " + std::to_string(number) +
                                      ": not seven numbers, or not later than the line before");
         samples_.push_back(pose);
     }
-    if (samples_.empty()) throw std::runtime_error(file.string() + ": there is no pose in it");
+    if (samples_.empty()) throw std::runtime_error(name + ": there is no pose in it");
 }
 
 HeadPose HeadPath::at(double seconds) const {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <istream>
+#include <string>
 #include <vector>
 
 namespace samples {
@@ -26,6 +28,8 @@ class HeadPath {
 public:
     /// Throws std::runtime_error with the file and line of what is wrong.
     explicit HeadPath(const std::filesystem::path& file);
+    /// `name`: of what the stream reads, for people.
+    HeadPath(std::istream& stream, const std::string& name);
 
     /// Between two samples: on the way from one to the next; before the first and after the last:
     /// these.
@@ -33,6 +37,8 @@ public:
     double end() const { return samples_.back().seconds; }
 
 private:
+    void read(std::istream& stream, const std::string& name);
+
     std::vector<HeadPose> samples_;
 };
 

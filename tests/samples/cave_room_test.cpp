@@ -97,6 +97,7 @@ TEST_F(HeadPathFile, TellsWhatIsWrong) {
     EXPECT_NE(refusal("0 0 0 0 0 0 0\n0 0 0 0 0 0 0\n").find("line 2"), std::string::npos);
     EXPECT_NE(refusal("0 0 0 nan 0 0 0\n").find("line 1"), std::string::npos);
     EXPECT_NE(refusal("0 0 1e999 0 0 0 0\n").find("line 1"), std::string::npos);
+    EXPECT_NE(refusal("-1.7e308 0 0 0 0 0 0\n").find("line 1"), std::string::npos);
     EXPECT_NE(refusal("").find("no pose"), std::string::npos);
     EXPECT_THROW(HeadPath(folder_.path() / "nothing"), std::runtime_error);
 }
