@@ -6,18 +6,16 @@ usage: make_corpus.py FOLDER
 
 Inputs that once were a fault are in tests/fuzz/found.
 """
-import json
 import pathlib
 import random
 import struct
 import sys
-import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "calls"), str(HERE.parent / "samples")]
+sys.path.insert(0, str(HERE.parent / "calls"))
 
 import api_functions  # noqa: E402
-import gltf_documents  # noqa: E402
+import file_corpora  # noqa: E402
 
 PROGRAMS = {
     "triangle": "rtBegin rtColor3f rtVertex3f rtNormal3f rtVertex3f rtVertex3f rtEnd rtRender",
@@ -135,76 +133,6 @@ def messages():
     return found | {f"random-{i}": generator.randbytes(120) for i in range(12)}
 
 
-def png(width, height, kind, channels, rows):
-    def chunk(name, data):
-        body = name + data
-        return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
-    header = struct.pack(">IIBBBBB", width, height, 8, kind, 0, 0, 0)
-    data = b"".join(b"\0" + bytes(rows) * width * channels for _ in range(height))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(data))
-            + chunk(b"IEND", b""))
-
-
-def gltf():
-    plain = gltf_documents.document()
-    textured = gltf_documents.document()
-    textured["images"] = [{"uri": "t.png"}]
-    textured["samplers"] = [{"wrapS": 33071, "magFilter": 9728}]
-    textured["textures"] = [{"source": 0, "sampler": 0}]
-    textured["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
-    lit = gltf_documents.document()
-    lit["extensionsUsed"] = ["KHR_lights_punctual"]
-    lit["extensions"] = {"KHR_lights_punctual": {"lights": [
-        {"type": "spot", "color": [1, 1, 1], "intensity": 3,
-         "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.5}}, {"type": "directional"}]}}
-    lit["nodes"] += [{"extensions": {"KHR_lights_punctual": {"light": 0}}, "children": [0],
-                      "rotation": [0, 0, 0, 1], "scale": [1, 2, 1]},
-                     {"extensions": {"KHR_lights_punctual": {"light": 1}},
-                      "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}]
-    lit["scenes"][0]["nodes"] = [1, 2, 3]
-    found = {f"{name}.gltf": json.dumps(document).encode()
-             for name, document in (("plain", plain), ("textured", textured), ("lit", lit))}
-    found["plain.glb"] = gltf_documents.glb(plain)
-    return found
-
-
-def mesh():
-    corners = gltf_documents.triangle_positions()
-    header = (b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
-              b"property float y\nproperty float z\nelement face 1\n"
-              b"property list uchar int vertex_indices\nend_header\n")
-    return {
-        "a.obj": b"mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl m\n"
-                 b"f 1/1/1 2/1/1 3/1/1\n",
-        "quads.obj": b"o a\ng b\ns 1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\nl 1 2\n",
-        "binary.ply": header + struct.pack("<9fB3i", *corners, 3, 0, 1, 2),
-        "text.ply": b"ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\n"
-                    b"property float y\nproperty float z\nproperty uchar red\nelement face 1\n"
-                    b"property list uchar int vertex_indices\nend_header\n"
-                    b"-1 -1 0 255\n1 -1 0 9\n0 1 0 0\n3 0 1 2\n",
-    }
-
-
-def tri():
-    corners = gltf_documents.triangle_positions()
-    return {"one.tri": struct.pack("<I9f", 1, *corners), "none.tri": struct.pack("<I", 0),
-            "nan.tri": struct.pack("<I18f", 2, *corners, *([float("nan")] * 9))}
-
-
-def image():
-    # The smallest baseline JPEG that decoders take: one grey block.
-    jpeg = bytes.fromhex(
-        "ffd8ffdb004300" + "10" * 64 + "ffc0000b080001000101011100ffc40014000100000000000000000000"
-        "000000000003ffc40014100100000000000000000000000000000000ffda0008010100003f003fffd9")
-    return {"rgb.png": png(3, 2, 2, 3, [200]), "rgba.png": png(2, 2, 6, 4, [9]),
-            "grey.png": png(2, 1, 0, 1, [99]), "grey.jpg": jpeg}
-
-
-def plugin_file():
-    return {"whole": b"\0", "header": b"\0\x05\x00\x01", "cut": b"\x01\x00\x80",
-            "middle": b"\0" + struct.pack("<HB", 0x9000, 0xFF) * 4}
-
-
 def shader_parameters():
     generator = random.Random(7)
     found = {f"random-{i}": generator.randbytes(120) for i in range(12)}
@@ -220,9 +148,9 @@ def shader_class():
     return found | {f"random-{i}": generator.randbytes(71) for i in range(6)}
 
 
-TARGETS = {"api_calls": api_calls, "gltf": gltf, "mesh": mesh, "tri": tri, "image": image,
-           "plugin_file": plugin_file, "shader_parameters": shader_parameters,
-           "shader_class": shader_class, "trace": trace, "messages": messages}
+TARGETS = {"api_calls": api_calls, "shader_parameters": shader_parameters,
+           "shader_class": shader_class, "trace": trace, "messages": messages,
+           **file_corpora.TARGETS}
 
 
 def main():

@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SEED_FOLDER = "tests/fuzz/corpus"
 MAX_LENGTH = {"api_calls": 512, "shader_parameters": 256, "shader_class": 96, "plugin_file": 256,
               "tri": 512, "gltf": 4096, "mesh": 1024, "image": 2048, "trace": 768,
-              "messages": 256}
+              "messages": 256, "environment": 1024, "head_path": 256}
 DEFAULT_LENGTH = 4096
 
 
