@@ -4,6 +4,7 @@
 // no pointer to a function; packets of sixteen points are shaded by the same template.
 #include <cmath>
 #include <cstdio>
+#include <exception>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -71,7 +72,7 @@ smart::ModelPtr makeHills() {
 
 } // namespace
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
     refuseOptions(argc, argv, "05_fixed_shader [FILE]");
     constexpr uint32_t kWidth = 640, kHeight = 480;
     std::vector<unsigned char> pixels(4 * kWidth * kHeight);
@@ -102,12 +103,15 @@ int main(int argc, char* argv[]) {
 
     const smart::PacketTracer<smart::FixedShading<Contours>> tracer;
     smart::FrameQueue queue;
-    {
-        const smart::ThreadTeam team(smart::coreCount(), queue, tracer);
-        queue.submit(queue.prepare(frame));
-        queue.close(); // sends the team home when the frame is done
-    }
+    const smart::QueuedFramePtr queued = queue.prepare(frame);
+    queue.submit(queued);
+    queue.close(); // sends the team home when the frame is done
+    { const smart::ThreadTeam team(smart::coreCount(), queue, tracer); }
+    if (const std::exception_ptr error = queued->takeError()) std::rethrow_exception(error);
     return writePng(argc > 1 ? argv[1] : "05_fixed_shader.png", pixels.data(), kWidth, kHeight)
                ? 0
                : 1;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "05_fixed_shader: %s\n", error.what());
+    return 1;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A library to be preloaded, in which allocations that libOpenRT makes fail; those of the program
-// and of other libraries do not: programs need not expect what the library promises to survive.
+// and of other libraries do not: programs need not expect what the library promises to survive. Of a
+// program that has the core inside itself all fail.
 //   OPENRT_FAIL_ALLOCATION  number of the one that fails, from 0
 //   OPENRT_FAIL_THEN        if set, all that follow fail too
 //   OPENRT_COUNT_FILE       gets two numbers at the end: allocations, failures
@@ -22,15 +23,16 @@ uintptr_t codeBegin = 0, codeEnd = 0;
 long failing = -1;
 bool thenToo = false;
 
+/// The program comes first, and its name is empty.
 int findLibrary(dl_phdr_info* info, std::size_t, void*) {
-    if (!std::strstr(info->dlpi_name, "libOpenRT.so")) return 0;
+    if (info->dlpi_name[0] != 0 && !std::strstr(info->dlpi_name, "libOpenRT.so")) return 0;
     for (int i = 0; i < info->dlpi_phnum; ++i) {
         const auto& segment = info->dlpi_phdr[i];
         if (segment.p_type != PT_LOAD || !(segment.p_flags & PF_X)) continue;
         codeBegin = info->dlpi_addr + segment.p_vaddr;
         codeEnd = codeBegin + segment.p_memsz;
     }
-    return 1;
+    return info->dlpi_name[0] != 0; // or look on
 }
 
 __attribute__((constructor)) void begin() {
