@@ -9,9 +9,22 @@
 
 namespace smart::compat {
 
+namespace {
+
+bool isInFlight(RTuint frame) {
+    const RTenum status = rtFrameStatus(frame);
+    return status == RT_QUEUED || status == RT_RENDERING;
+}
+
+} // namespace
+
 void PlayedFrames::queued(RTuint frame, const std::vector<uint64_t>& keys) {
     if (frame == RT_INVALID) return;
-    for (const uint64_t key : keys) queued_[key].push_back(frame);
+    for (const uint64_t key : keys) {
+        std::deque<RTuint>& frames = queued_[key];
+        while (!frames.empty() && !isInFlight(frames.front())) frames.pop_front();
+        frames.push_back(frame);
+    }
 }
 
 void PlayedFrames::started(RTcontext context, std::vector<uint64_t> keys) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <vector>
 
@@ -21,7 +22,7 @@ public:
     void await(uint64_t key);
 
 private:
-    std::map<uint64_t, std::vector<RTuint>> queued_;
+    std::map<uint64_t, std::deque<RTuint>> queued_; ///< from the first that may be in flight
     std::map<RTcontext, std::vector<uint64_t>> started_;
 };
 

@@ -2,7 +2,10 @@
 // Recordings of whole programs: complete, played with the same outcome, and harmless when damaged.
 #include <gtest/gtest.h>
 
+#include <malloc.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -10,11 +13,13 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "compat/stream/call_memory.h"
 #include "compat/stream/call_player.h"
 #include "compat/stream/call_reader.h"
+#include "compat/stream/played_frames.h"
 #include "compat/stream/played_memory.h"
 #include "openrt/rt.h"
 #include "tests/stream/every_call.h"
@@ -69,6 +74,28 @@ void repairChecksum(std::vector<std::byte>& stream, std::size_t start) {
     constexpr std::size_t kChecked = offsetof(RecordHead, kind);
     head.checksum = checksumOf(std::span(stream).subspan(start + kChecked, head.bytes - kChecked));
     std::memcpy(stream.data() + start, &head, sizeof head);
+}
+
+/// In the calls of this name that have the old value; how many there are.
+template <class T>
+unsigned replaceFirstArgument(std::vector<std::byte>& stream, const char* name, T old, T value) {
+    unsigned replaced = 0;
+    CallReader reader;
+    for (const std::size_t start : startsOf(stream)) {
+        std::span<const std::byte> rest = std::span(stream).subspan(start);
+        RecordHead head;
+        const std::span<const std::byte> record = takeRecord(rest, head);
+        if (head.kind == RecordKind::Start) reader.readStart(record);
+        if (head.kind != RecordKind::Call) continue;
+        CallRecord call;
+        reader.readCall(record, call);
+        if (std::strcmp(call.call->name, name) != 0 || call.arguments[0].value.as<T>() != old)
+            continue;
+        std::memcpy(stream.data() + start + sizeof head + 2, &value, sizeof value);
+        repairChecksum(stream, start);
+        ++replaced;
+    }
+    return replaced;
 }
 
 const std::vector<std::byte>& recordedProgram() {
@@ -212,22 +239,7 @@ TEST(CallStream, FramesInOneMemoryAreComparedHoweverTheyAreWaitedFor) {
 
 TEST(CallStream, AnotherColourIsAnotherFrame) {
     std::vector<std::byte> stream = recordedProgram();
-    unsigned changed = 0;
-    CallReader reader;
-    for (const std::size_t start : startsOf(stream)) {
-        std::span<const std::byte> rest = std::span(stream).subspan(start);
-        RecordHead head;
-        const std::span<const std::byte> record = takeRecord(rest, head);
-        if (head.kind == RecordKind::Start) reader.readStart(record);
-        if (head.kind != RecordKind::Call) continue;
-        CallRecord call;
-        reader.readCall(record, call);
-        if (std::strcmp(call.call->name, "rtColor3ub") != 0) continue;
-        stream[start + sizeof head + 2] = std::byte(17);
-        repairChecksum(stream, start);
-        ++changed;
-    }
-    ASSERT_GT(changed, 0u);
+    ASSERT_GT(replaceFirstArgument<RTubyte>(stream, "rtColor3ub", 255, 17), 0u);
     CallPlayer player;
     player.play(stream);
     player.finish();
@@ -237,22 +249,7 @@ TEST(CallStream, AnotherColourIsAnotherFrame) {
 
 TEST(CallStream, AnErrorThatDoesNotComeIsTold) {
     std::vector<std::byte> stream = recordedProgram();
-    CallReader reader;
-    for (const std::size_t start : startsOf(stream)) {
-        std::span<const std::byte> rest = std::span(stream).subspan(start);
-        RecordHead head;
-        const std::span<const std::byte> record = takeRecord(rest, head);
-        if (head.kind == RecordKind::Start) reader.readStart(record);
-        if (head.kind != RecordKind::Call) continue;
-        CallRecord call;
-        reader.readCall(record, call);
-        const auto token = RTenum(RT_LIGHTING);
-        if (std::strcmp(call.call->name, "rtEnable") != 0 ||
-            call.arguments[0].value.as<RTenum>() != 0x7777)
-            continue;
-        std::memcpy(stream.data() + start + sizeof head + 2, &token, sizeof token);
-        repairChecksum(stream, start);
-    }
+    ASSERT_EQ(replaceFirstArgument<RTenum>(stream, "rtEnable", 0x7777, RT_LIGHTING), 1u);
     Told told;
     CallPlayer player(&told);
     player.play(stream);
@@ -282,6 +279,30 @@ TEST(CallStream, ACutOneIsPlayedToItsEndOrRefused) {
         EXPECT_EQ(plays(std::span(stream).first(cut)), whole.contains(cut)) << cut;
         EXPECT_LE(bytesOfWholeRecords(std::span(stream).first(cut)), cut);
     }
+}
+
+TEST(CallStream, FramesThatAreNeverComparedTakeNoMemory) {
+    constexpr uint64_t kKey = 1;
+    static RTubyte pixels[4 * 16 * 16];
+    rtInit(nullptr, nullptr);
+    rtSetFrameBuffer(pixels, 16, 16, RT_RGBA_8);
+    rtClear(RT_COLOR_BUFFER_BIT);
+    PlayedFrames frames;
+    const RTuint ended = rtQueueFrame();
+    rtWaitFrame(ended);
+    const std::size_t before = mallinfo2().uordblks;
+    for (int i = 0; i < 100000; ++i) frames.queued(ended, {kKey});
+    EXPECT_LT(mallinfo2().uordblks, before + 10000);
+
+    rtSetFrameCallback([](RTuint, RTenum, RTint, RTint, RTsizei, RTsizei, void*) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }, nullptr);
+    const RTuint slow = rtQueueFrame();
+    frames.queued(slow, {kKey});
+    frames.queued(ended, {kKey});
+    frames.await(kKey);
+    EXPECT_EQ(rtFrameStatus(slow), RTenum(RT_DONE));
+    rtExit();
 }
 
 // Text ends where its copy does, and what was not recorded reads as zeros, whatever lay there.
