@@ -4,11 +4,14 @@
 // program in which nothing failed.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <new>
 #include <optional>
+#include <thread>
 
 #include "compat/recorder/context.h"
 #include "compat/recorder/display_lists.h"
@@ -327,6 +330,41 @@ TEST(RecorderMemory, AViewThatFailsKeepsItsCamera) {
     const int failures = tryUntilItWorks([&] { context.frames().queueView(); }, [] {});
     EXPECT_GT(failures, 2);
     EXPECT_THROW(context.frames().queueView(), Error) << "the camera is used up";
+}
+
+/// Takes its time for each frame.
+class SlowListener final : public FrameListener {
+public:
+    void tileDone(QueuedFrame&, const Tile&) noexcept override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    void ended(QueuedFrame&, FrameStatus) noexcept override { ++frames; }
+    std::atomic<int> frames = 0;
+};
+
+TEST(RecorderMemory, AFinishThatFailsHasWaitedForTheFramesBefore) {
+    Context context(1);
+    Recorder& r = context.recorder();
+    PixelTarget& target = r.frameSettings().target;
+    target.memory = pixels;
+    target.width = target.height = 8;
+    target.format = PixelFormat::Rgba32f;
+    const auto listener = std::make_shared<SlowListener>();
+    context.frames().setListener(listener);
+    const auto queueOneAndBeginAnother = [&] {
+        context.frames().queue();
+        r.begin(Primitive::Triangles);
+        for (int i = 0; i < 3; ++i) r.vertex({i % 2, i / 2, 0, 1});
+        r.end();
+    };
+    queueOneAndBeginAnother();
+    int queued = 1;
+    const int failures = tryUntilItWorks([&] { context.frames().finish(); }, [&] {
+        EXPECT_EQ(listener->frames, queued++);
+        queueOneAndBeginAnother();
+    });
+    EXPECT_GT(failures, 5);
+    EXPECT_EQ(listener->frames, queued + 1);
 }
 
 TEST(RecorderMemory, NamesOfBuffersThatFailStayFree) {
