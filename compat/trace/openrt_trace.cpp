@@ -168,8 +168,8 @@ int run(int argc, char* argv[]) {
     std::string file = "openrt-trace.ort", output, shaders;
     std::vector<std::string> program;
     uint64_t until = 0;
-    CLI::App* const recording = app.add_subcommand("record",
-                                                   "runs a program and records its calls");
+    CLI::App* const recording =
+        app.add_subcommand("record", "runs a program and records its calls");
     recording->add_option("-o,--output", file, "recording to write")
         ->type_name("FILE")
         ->capture_default_str();

@@ -124,8 +124,8 @@ int statusOf(int argc, char** argv) {
     Options options;
     CLI::App app(
         "Judges engines by exact arithmetic in the hard cases H1 to H12, and measures what "
-        "each mode costs. The exit status is 1 for an error, 2 for a wrong command line, 3 if a mode "
-        "of the library broke a promise.",
+        "each mode costs. The exit status is 1 for an error, 2 for a wrong command line, 3 if a "
+        "mode of the library broke a promise.",
         "openrt-accuracy");
     app.set_version_flag("--version", "openrt-accuracy " OPENRT_VERSION_STRING);
     auto& size = options.size;

@@ -56,8 +56,7 @@ Run addDynamic(CLI::App& app) {
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
     app.add_option("--decay", options->decay,
-                   "updates of the sheet after which rays are timed against a fresh object, or 0 for "
-                   "none")
+                   "updates of the sheet after which rays are timed against a fresh object, or 0")
         ->check(CLI::Range(0, 100'000))
         ->capture_default_str();
     addSize(app, options->size);

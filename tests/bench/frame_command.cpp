@@ -35,8 +35,8 @@ nlohmann::json toJson(const FrameReport& report) {
 int run(const Options& options) {
     selectIsa(options.isa);
     const FrameReport report =
-        measureFrames(readTriangles(options.scene), options.view.view(options.scene), options.surface,
-                      options.size, options.threads, options.repeat, showProgress);
+        measureFrames(readTriangles(options.scene), options.view.view(options.scene),
+                      options.surface, options.size, options.threads, options.repeat, showProgress);
     showProgress("");
     std::cout << report;
     writeJson(options.json, {{"scene", options.scene}, {"frames", toJson(report)}});

@@ -29,9 +29,10 @@ constexpr Command kCommands[] = {
 };
 
 int runCommand(int argc, char** argv) {
-    CLI::App app("Measures OpenRT. The exit status is 1 for an error, 2 for a wrong command line, 3 if "
-                 "answers were wrong and their speeds refused.",
-                 "openrt-bench");
+    CLI::App app(
+        "Measures OpenRT. The exit status is 1 for an error, 2 for a wrong command line, 3 if "
+        "answers were wrong and their speeds refused.",
+        "openrt-bench");
     app.set_version_flag("--version", "openrt-bench " OPENRT_VERSION_STRING);
     app.require_subcommand(1);
     std::vector<std::pair<CLI::App*, Run>> commands;

@@ -12,15 +12,17 @@
 namespace smart::bench {
 
 void ViewOptions::add(CLI::App& app) {
-    app.add_option("--camera", camera, "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov: eye, target, upwards, "
-                                       "vertical field of view in degrees")
+    app.add_option("--camera", camera,
+                   "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov: eye, target, upwards, "
+                   "vertical field of view in degrees")
         ->delimiter(',')
         ->expected(10);
     app.add_option("--light", light, "x,y,z: a point light")->delimiter(',')->expected(3);
-    CLI::Option* const file =
-        app.add_option("--cameras", cameras,
-                       "file of views: on each line a name, the numbers of --camera, and of --light");
-    app.add_option("--name", name, "which line of --cameras; the scene's name if not given")->needs(file);
+    CLI::Option* const file = app.add_option(
+        "--cameras", cameras,
+        "file of views: on each line a name, the numbers of --camera, and of --light");
+    app.add_option("--name", name, "which line of --cameras; the scene's name if not given")
+        ->needs(file);
 }
 
 View ViewOptions::view(const std::string& scene) const {

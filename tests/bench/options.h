@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Options that openrt-accuracy and several subcommands of openrt-bench share, so that they are called
-// and checked alike.
+// Options that openrt-accuracy and several subcommands of openrt-bench share, so that they are
+// called and checked alike.
 #pragma once
 
 #include <CLI/CLI.hpp>

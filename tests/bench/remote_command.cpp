@@ -159,7 +159,8 @@ int run(const Options& options) {
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, Precision::Watertight, coreCount(), built);
     std::vector<float> floats;
-    const std::shared_ptr<Frame> frame = phongFrame(scene, options.view.view(options.scene), options.size, floats);
+    const std::shared_ptr<Frame> frame =
+        phongFrame(scene, options.view.view(options.scene), options.size, floats);
     std::vector<uint32_t> pixels(std::size_t(options.size) * options.size);
     frame->target.memory = pixels.data();
     frame->target.format = PixelFormat::Rgba8;

@@ -107,8 +107,8 @@ Contest contestOf(const std::vector<Triangle>& triangles, const Options& options
     });
 #ifdef OPENRT_BENCH_EMBREE
     if (wantsEmbree(options.peers)) {
-        for (EnginePtr& engine : embreeEngines(triangles, EmbreeQuality::Medium, false,
-                                               coreCount(), options.isa)) {
+        for (EnginePtr& engine :
+             embreeEngines(triangles, EmbreeQuality::Medium, false, coreCount(), options.isa)) {
             if (engine->name().starts_with("embree 16 coherent"))
                 contest.embree.push_back(std::move(engine));
         }

@@ -82,10 +82,11 @@ int run(int argc, char** argv) {
     settings.openRtPrograms = OPENRT_CONFORMANCE_RT;
     std::string json, html, prefix;
     bool list = false, failFast = false, times = false;
-    CLI::App app("Compares a libOpenRT.so with OpenGL, as OSMesa renders it. The exit status is 1 if "
-                 "nothing could be compared or the results not be written, 2 for a wrong command "
-                 "line, 3 if a case did not pass.",
-                 "openrt-conformance");
+    CLI::App app(
+        "Compares a libOpenRT.so with OpenGL, as OSMesa renders it. The exit status is 1 if "
+        "nothing could be compared or the results not be written, 2 for a wrong command "
+        "line, 3 if a case did not pass.",
+        "openrt-conformance");
     app.set_version_flag("--version", "openrt-conformance " OPENRT_VERSION_STRING);
     app.add_option("--library", settings.library, "libOpenRT.so to test, instead of the built one")
         ->check(CLI::ExistingFile)

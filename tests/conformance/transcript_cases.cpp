@@ -92,8 +92,8 @@ std::vector<Case> transcriptCases(const Settings& settings) {
     for (const char* const program : kPrograms) {
         const auto questions = std::make_shared<Questions>(settings, program);
         for (const std::string& section : questions->sections())
-            cases.push_back({questions->nameOf(section),
-                             [=] { return questions->compare(section); }});
+            cases.push_back(
+                {questions->nameOf(section), [=] { return questions->compare(section); }});
         cases.push_back({questions->nameOf("ends"), [=] { return questions->compareEnds(); }});
     }
     return cases;
