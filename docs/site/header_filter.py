@@ -79,7 +79,7 @@ def convert(source, header):
             out.append(comment(["@file", *documentation(lines, fields)]))
         else:
             if names:
-                lines, fields = fields_of(header, lines, fields, names)
+                lines, fields = fields_of(header, lines, fields, found.calls)
             out.append(comment(documentation(lines, fields)))
         if len(names) > 1:
             position += 1 + len(found.calls)

@@ -4,8 +4,9 @@ threads, since when, and what the function comes from."""
 import csv
 import functools
 import pathlib
+import re
 
-from header_comments import dedent
+from header_comments import dedent, functions
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Tables of the functions of other interfaces: the prefix here, there, and the interface's name.
@@ -14,6 +15,8 @@ TABLES = {"glut_calls.csv": ("rtut", "glut", "GLUT"), "glu_calls.csv": ("rtu", "
 ORDER = ["Errors", "Threads", "Since", "Source"]
 NO_ERRORS = "None but those that every call can record: see the rules in openrt/rt.h."
 OF_ALL = "Errors of all"  # come behind a function's own; "Errors" stands where it has none
+# Parameters without which an error of all can not be.
+NEEDED = {"RT_INVALID_ENUM": r"\bRTenum\b", "RT_INVALID_VALUE": r"\*|\bRT(float|double|clamp.|int)\b"}
 COMMON = {
     "rt_fixed.h": {
         OF_ALL: ["RT_INVALID_ENUM  a token that OpenGL does not know there, or a call with one value "
@@ -57,21 +60,23 @@ def sources():
     return found
 
 
-def source_of(functions):
+def source_of(group):
     """Of a group that shares a page each interface once, with the names there."""
     names = {}
-    for function in functions:
+    for function in group:
         interface, theirs = sources().get(function, ("", ""))
         names.setdefault(interface, []).append(theirs)
     return "; ".join(interface + (": " if any(theirs) else "") + ", ".join(filter(None, theirs))
                      for interface, theirs in names.items())
 
 
-def fields_of(header, lines, fields, functions):
+def fields_of(header, lines, fields, calls):
     """The text and all fields of functions: of their comment, and what is said once for the header."""
     common = COMMON.get(header, {})
     errors = fields.get("Errors") or common.get("Errors", [] if OF_ALL in common else [NO_ERRORS])
-    found = {**common, **fields, "Errors": [*dedent(errors), *common.get(OF_ALL, [])],
-             "Source": [source_of(functions)]}
+    of_all = [line for line in common.get(OF_ALL, [])
+              if re.search(NEEDED.get(line.split()[0], ""), calls)]
+    found = {**common, **fields, "Errors": [*dedent(errors), *of_all],
+             "Source": [source_of(functions(calls))]}
     return ([lines[0] + common["What"]] if "What" in common else lines,
             {title: found[title] for title in ORDER if title in found})

@@ -143,7 +143,7 @@ def pages_of(source, header):
         if part.kind == "header":
             yield Page([header], header, lines, fields, "")
         elif names:
-            yield Page(names, header, *fields_of(header, lines, fields, names), part.calls)
+            yield Page(names, header, *fields_of(header, lines, fields, part.calls), part.calls)
 
 
 def pages(include):

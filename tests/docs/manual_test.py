@@ -106,6 +106,17 @@ class Manual(unittest.TestCase):
                     for name in re.findall(r"\b(rt\w+)\b", path.read_text(encoding="utf-8"))}
         self.assertEqual(sorted(set(manual_fields.sources()) - declared), [])
 
+    def test_errors_of_all(self):
+        """What a header says of all its functions stands where their parameters allow it."""
+        text = (ROOT / "include/openrt/rt_fixed.h").read_text(encoding="utf-8")
+        codes = {page.names[0]: [code for code, _ in error_items(page.fields["Errors"])]
+                 for page in pages(text, "rt_fixed.h")}
+        enum, value, operation = ("RT_INVALID_ENUM", "RT_INVALID_VALUE", "RT_INVALID_OPERATION")
+        self.assertEqual(codes["rtLightf"], [enum, value, operation])
+        self.assertEqual(codes["rtShadeModel"], [enum, operation])
+        self.assertEqual(codes["rtEdgeFlag"], [value, operation])
+        self.assertEqual(codes["rtFogf"], [operation, enum, value, operation])
+
     def test_site(self):
         """What Doxygen gets: fields, lists and tables."""
         core, frame = (convert((ROOT / "include/openrt" / name).read_text(encoding="utf-8"), name)
