@@ -16,6 +16,8 @@ run_long() {
             --minutes "${OPENRT_FUZZ_MINUTES:-10}" --json "$figures/fuzz.jsonl"
     fi
     stage "every call" $release/bin/every_call --whole --json "$figures/every_call.json"
+    stage "every call of rtut" \
+        $release/bin/every_rtut_call --whole --json "$figures/every_rtut_call.json"
     stage "failing allocations" \
         $release/bin/failing_scenes --whole --json "$figures/failing_scenes.json"
     stage "failing allocations of samples" python3 -B tests/memory/failing_samples.py \

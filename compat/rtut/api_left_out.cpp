@@ -5,11 +5,13 @@
 #include "compat/rtut/messages.h"
 #include "openrt/rtut.h"
 
+using namespace rtut;
+
 namespace {
 
 void leftOut(const char* function, const char* what) noexcept {
-    rtut::guarded(function, [&] {
-        rtut::tellOnce(function, (std::string(what) + " not part of this release").c_str());
+    guarded(function, [&] {
+        tellOnce(function, (std::string(what) + " not part of this release").c_str());
     });
 }
 void noMenus(const char* function) { leftOut(function, "menus are"); }
@@ -70,14 +72,21 @@ RTAPI int RTAPIENTRY rtutEnterGameMode(void) {
 }
 RTAPI void RTAPIENTRY rtutLeaveGameMode(void) { noGameMode(__func__); }
 RTAPI int RTAPIENTRY rtutGameModeGet(RTenum query) {
-    return query == RTUT_GAME_MODE_ACTIVE || query == RTUT_GAME_MODE_POSSIBLE ||
-                   query == RTUT_GAME_MODE_DISPLAY_CHANGED
-               ? 0
-               : -1;
+    switch (query) {
+    case RTUT_GAME_MODE_ACTIVE:
+    case RTUT_GAME_MODE_POSSIBLE:
+    case RTUT_GAME_MODE_DISPLAY_CHANGED: return 0;
+    default:
+        if (query > RTUT_GAME_MODE_DISPLAY_CHANGED) tell(__func__, "an unknown query");
+        return -1;
+    }
 }
 
 RTAPI int RTAPIENTRY rtutVideoResizeGet(RTenum query) {
-    return query == RTUT_VIDEO_RESIZE_POSSIBLE || query == RTUT_VIDEO_RESIZE_IN_USE ? 0 : -1;
+    if (query == RTUT_VIDEO_RESIZE_POSSIBLE || query == RTUT_VIDEO_RESIZE_IN_USE) return 0;
+    if (query < RTUT_VIDEO_RESIZE_POSSIBLE || query > RTUT_VIDEO_RESIZE_HEIGHT)
+        tell(__func__, "an unknown query");
+    return -1;
 }
 RTAPI void RTAPIENTRY rtutSetupVideoResizing(void) { noVideoResizing(__func__); }
 RTAPI void RTAPIENTRY rtutStopVideoResizing(void) { noVideoResizing(__func__); }

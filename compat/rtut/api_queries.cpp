@@ -127,10 +127,3 @@ RTAPI void RTAPIENTRY rtutReportErrors(void) {
         std::fprintf(stderr, "rtut: error %s: %s\n",
                      reinterpret_cast<const char*>(rtuErrorString(error)), rtGetErrorText());
 }
-
-RTAPI void RTAPIENTRY rtutIgnoreKeyRepeat(int ignore) {
-    if (Window* const window = startedApp().current()) window->ignoresRepeat = ignore != 0;
-}
-RTAPI void RTAPIENTRY rtutSetKeyRepeat(int repeatMode) {
-    startedApp().repeatsKeys = repeatMode != RTUT_KEY_REPEAT_OFF;
-}

@@ -69,7 +69,8 @@ RTAPI void RTAPIENTRY rtutInitWindowSize(int width, int height) {
 
 RTAPI void RTAPIENTRY rtutMainLoop(void) {
     try {
-        startedApp().run();
+        if (startedApp().isRunning()) return tell(__func__, "the main loop is running");
+        app().run();
     } catch (const std::bad_alloc&) {
         endProgram(1, "out of memory");
     } catch (...) {
@@ -161,10 +162,23 @@ RTAPI void RTAPIENTRY rtutWarpPointer(int x, int y) {
     withSurface(__func__, [&](Surface& surface) { surface.warpPointer({x, y}); });
 }
 RTAPI void RTAPIENTRY rtutSetCursor(int cursor) {
+    const auto isIn = [&](int low, int high) { return cursor >= low && cursor <= high; };
+    if (!isIn(RTUT_CURSOR_RIGHT_ARROW, RTUT_CURSOR_BOTTOM_LEFT_CORNER) &&
+        !isIn(RTUT_CURSOR_INHERIT, RTUT_CURSOR_FULL_CROSSHAIR))
+        return tell(__func__, "not a cursor");
     withWindow(__func__, [&](Window& window) {
         window.cursor = cursor;
         if (window.surface()) window.surface()->setCursor(cursor);
     });
+}
+
+RTAPI void RTAPIENTRY rtutIgnoreKeyRepeat(int ignore) {
+    withWindow(__func__, [&](Window& window) { window.ignoresRepeat = ignore != 0; });
+}
+RTAPI void RTAPIENTRY rtutSetKeyRepeat(int repeatMode) {
+    if (repeatMode < RTUT_KEY_REPEAT_OFF || repeatMode > RTUT_KEY_REPEAT_DEFAULT)
+        return tell(__func__, "not a mode of repeating keys");
+    startedApp().repeatsKeys = repeatMode != RTUT_KEY_REPEAT_OFF;
 }
 
 // ---- Callbacks -------------------------------------------------------------------------------

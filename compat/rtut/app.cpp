@@ -120,6 +120,7 @@ void App::end(int status) {
 
 void App::run() {
     leaving_ = false;
+    running_ = true;
     if (windows_.empty()) endProgram(1, "the main loop needs a window");
     for (std::size_t i = 0; i < windows_.size(); ++i) windows_[i]->reshapeIfNeeded();
     if (isOffscreen())
@@ -127,6 +128,7 @@ void App::run() {
     else
         runOnScreen();
     if (!leaving_) end(0);
+    running_ = false;
     for (const auto& window : windows_) window->finish();
 }
 

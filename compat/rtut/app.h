@@ -45,6 +45,7 @@ public:
     void writeFrame(const Picture& picture);
 
     void run();
+    bool isRunning() const { return running_; }
     void leave() { leaving_ = true; }
 
     int modifiers() const { return modifiers_; }
@@ -73,7 +74,7 @@ private:
     void removeClosedWindows();
     [[noreturn]] void end(int status);
 
-    bool started_ = false, leaving_ = false;
+    bool started_ = false, running_ = false, leaving_ = false;
     Options options_;
     std::map<RTcontext, FrameMemory> frameMemory_;
     std::vector<std::unique_ptr<Window>> windows_;

@@ -48,13 +48,14 @@ struct ScreenSize {
     Size pixels, millimetres;
 };
 
-// The window system, started by the first window.
+// The window system, started by the first call.
 
 /// Ends the program with a message where there is none, or no window can be opened.
 std::unique_ptr<Surface> openSurface(const char* title, Size size, const Place* place,
                                      SurfaceEvents& events);
 /// Waits so long for events at most (0: not at all) and calls the surfaces' events.
 void waitForEvents(double seconds);
+/// Zeros where there is no display.
 ScreenSize screenSize();
 
 } // namespace rtut

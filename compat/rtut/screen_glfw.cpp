@@ -17,12 +17,13 @@ namespace {
 
 std::string lastError = "no reason is known";
 
-void startGlfw() {
+/// Whether there is a display.
+bool startGlfw() {
     static const bool started = [] {
         glfwSetErrorCallback([](int, const char* text) { lastError = text; });
         return glfwInit() == GLFW_TRUE;
     }();
-    if (!started) endProgram(1, "there is no display: ", lastError.c_str());
+    return started;
 }
 
 int modifiersOf(int mods) {
@@ -237,7 +238,7 @@ private:
 
 std::unique_ptr<Surface> openSurface(const char* title, Size size, const Place* place,
                                      SurfaceEvents& events) {
-    startGlfw();
+    if (!startGlfw()) endProgram(1, "there is no display: ", lastError.c_str());
     return std::make_unique<GlfwSurface>(title, size, place, events);
 }
 
@@ -249,9 +250,8 @@ void waitForEvents(double seconds) {
 }
 
 ScreenSize screenSize() {
-    startGlfw();
     ScreenSize size{{0, 0}, {0, 0}};
-    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    GLFWmonitor* const monitor = startGlfw() ? glfwGetPrimaryMonitor() : nullptr;
     if (!monitor) return size;
     if (const GLFWvidmode* const mode = glfwGetVideoMode(monitor))
         size.pixels = {mode->width, mode->height};

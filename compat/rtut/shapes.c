@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "compat/rtut/attributes_fit.h"
 #include "compat/rtut/drawing_names.h"
+#include "compat/rtut/drawing_state.h"
 
 /* ---- Sphere and cone: quadrics -------------------------------------------------------------- */
 
@@ -81,7 +81,7 @@ static double cosineOfTurn(double turn) { return sineOfTurn(turn + 0.25); }
 /* Strips around the tube, one for each step of the ring. */
 static void drawTorus(RTdouble tube, RTdouble ring, RTint sides, RTint rings) {
     RTint i, j, k;
-    if (!(sides >= 1 && rings >= 1)) return;
+    if (!(sides >= 1 && rings >= 1) || !isOutsidePrimitive()) return;
     if (sides > kMaxTorusSteps) sides = kMaxTorusSteps;
     if (rings > kMaxTorusSteps) rings = kMaxTorusSteps;
     for (i = 0; i < rings; ++i) {
@@ -136,6 +136,7 @@ static void drawCube(RTenum mode, RTdouble size) {
     };
     const double half = size / 2;
     int face, k;
+    if (!isOutsidePrimitive()) return;
     for (face = 0; face < 6; ++face) {
         rtBegin(mode);
         rtNormal3f(faces[face].normal[0], faces[face].normal[1], faces[face].normal[2]);
@@ -157,6 +158,7 @@ RTAPI void RTAPIENTRY rtutSolidCube(RTdouble size) { drawCube(RT_QUADS, size); }
 static void drawFaces(RTenum mode, const double (*vertices)[3], const unsigned char *faces,
                       int count, int sides) {
     int face, k;
+    if (!isOutsidePrimitive()) return;
     for (face = 0; face < count; ++face) {
         const unsigned char *index = faces + face * sides;
         const double *a = vertices[index[0]], *b = vertices[index[1]], *c = vertices[index[2]];

@@ -5,8 +5,8 @@
  * CLOCKWISE from outside, normals point outwards. */
 #include <math.h>
 
-#include "compat/rtut/attributes_fit.h"
 #include "compat/rtut/drawing_names.h"
+#include "compat/rtut/drawing_state.h"
 
 enum { kPatches = 10, kRoundPatches = 6 };
 
@@ -175,6 +175,7 @@ static void drawPatches(int grid, RTdouble size, void (*drawPatch)(Point[4][4], 
 
 static void drawTeapot(int grid, RTdouble size, void (*drawPatch)(Point[4][4], int, double)) {
     int isPushed, wasEnabled;
+    if (!isOutsidePrimitive()) return;
     if (!hasState()) {
         drawPatches(grid, size, drawPatch);
         return;

@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "compat/rtut/drawing_names.h"
+#include "compat/rtut/drawing_state.h"
 #include "compat/rtut/fonts/fonts.h"
 
 enum { kStrokeRoman, kStrokeMonoRoman, kFirstBitmapFont, kFonts = 9, kMaxGlyphBytes = 128 };
@@ -125,7 +126,7 @@ RTAPI void RTAPIENTRY rtutStrokeCharacter(void *font, int character) {
     const StrokeGlyph glyph = strokeGlyph(font, character);
     const char *point = glyph.points;
     int drawing = 0;
-    if (point == NULL) return;
+    if (point == NULL || !isOutsidePrimitive()) return;
     for (; point[0] != 0 && point[1] != 0; point += 2) {
         if (point[0] == ' ' && point[1] == 'R') {
             if (drawing) rtEnd();

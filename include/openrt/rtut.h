@@ -66,7 +66,7 @@ RTAPI void RTAPIENTRY rtutInitWindowSize(int width, int height);
 /* Calls callbacks until the last window is closed or rtutLeaveMainLoop is called. Then the contexts
  * end and so does the program, exit status 0: it never returns, but after rtutLeaveMainLoop it
  * does. A window without a display callback, a lack of memory, an exception that leaves a callback:
- * message and exit status 1. Since: 0.1 */
+ * message and exit status 1. In a callback: a message. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutMainLoop(void);
 RTAPI void RTAPIENTRY rtutLeaveMainLoop(void);
 
@@ -110,8 +110,8 @@ RTAPI void RTAPIENTRY rtutPostWindowRedisplay(int window);
 RTAPI void RTAPIENTRY rtutSwapBuffers(void);
 RTAPI void RTAPIENTRY rtutWarpPointer(int x, int y);
 
-/* The cursor of the current window: those that the window system lacks become the arrow.
- * Since: 0.1 */
+/* The cursor of the current window, RTUT_CURSOR_...: those that the window system lacks become the
+ * arrow. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutSetCursor(int cursor);
 
 /* ---- Callbacks -------------------------------------------------------------------------- */
@@ -155,8 +155,9 @@ RTAPI void RTAPIENTRY rtutTabletButtonFunc(void (*callback)(int button, int stat
 
 /* ---- Queries ---------------------------------------------------------------------------- */
 
-/* Answers about windows, devices and the program. -1 for another query. Without a window the
- * RTUT_WINDOW_ values are 0. Since: 0.1 */
+/* Answers about windows, devices and the program. -1, and a message, for another query. Without a
+ * window the RTUT_WINDOW_ values are 0, without a display, other than off-screen, the RTUT_SCREEN_
+ * values. Since: 0.1 */
 RTAPI int RTAPIENTRY rtutGet(RTenum query);
 RTAPI int RTAPIENTRY rtutDeviceGet(RTenum query);
 RTAPI int RTAPIENTRY rtutLayerGet(RTenum query);

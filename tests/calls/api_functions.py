@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The functions and tokens of libOpenRT as the public C headers declare them."""
+"""The functions and tokens of libOpenRT, or of librtut, as the public C headers declare them."""
 import dataclasses
 import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-OTHER_LIBRARY = {"rtut.h"}
+RTUT = {"rtut.h", "rtut_enums.h"}
 NESTED = r"(?:[^()]|\((?:[^()]|\([^()]*\))*\))*"
 DECLARATION = re.compile(r"\bRTAPI\b\s*([^;{}()]*?)\bRTAPIENTRY\s+(\w+)\s*\((" + NESTED + r")\)\s*;")
 
@@ -33,6 +33,7 @@ class Function:
     result: str
     name: str
     parameters: list
+    left_out: bool = False  # by its header
 
 
 def without_comments(text):
@@ -60,27 +61,44 @@ def parameter(text):
     return Parameter(kind.strip() + (" *" if array else ""), name)
 
 
-def headers():
+def headers(rtut):
     return [path for path in sorted((ROOT / "include/openrt").glob("*.h"))
-            if path.name not in OTHER_LIBRARY]
+            if (path.name in RTUT) == rtut]
 
 
-def functions():
+def left_out(text):
+    """The functions below a comment, or in a section, that says so."""
+    found, section, comment = set(), "", ""
+    for part in re.split(r"(/\*.*?\*/)", text, flags=re.DOTALL):
+        if part.startswith("/* ----"):
+            section, comment = part, ""
+        elif part.startswith("/*"):
+            comment = part
+        elif "Left out" in section or comment.startswith("/* Left out"):
+            found |= {name for _, name, _ in DECLARATION.findall(part)}
+    return found
+
+
+def functions(rtut=False):
     found = {}
-    for path in headers():
-        text = without_comments(path.read_text(encoding="utf-8"))
-        for result, name, parameters in DECLARATION.findall(text):
+    for path in headers(rtut):
+        whole = path.read_text(encoding="utf-8")
+        lacking = left_out(whole)
+        for result, name, parameters in DECLARATION.findall(without_comments(whole)):
             given = [] if parameters.strip() == "void" else list(split_parameters(parameters))
-            found[name] = Function(" ".join(result.split()), name, [parameter(p) for p in given])
+            found[name] = Function(" ".join(result.split()), name, [parameter(p) for p in given],
+                                   name in lacking)
     return [found[name] for name in sorted(found)]
 
 
-def tokens():
-    """Name -> value of every RT_ and RTU_ token that is a number; aliases too."""
+def tokens(rtut=False):
+    """Name -> value of every RT_ and RTU_, or RTUT_, token that is a number; aliases too."""
     found = {}
-    for path in headers():
+    prefix = "RTUT" if rtut else "RTU?"
+    for path in headers(rtut):
         text = without_comments(path.read_text(encoding="utf-8"))
-        for name, value in re.findall(r"^#\s*define\s+(RTU?_\w+)\s+(\w+)\s*$", text, re.MULTILINE):
+        for name, value in re.findall(rf"^#\s*define\s+({prefix}_\w+)\s+(\w+)\s*$", text,
+                                      re.MULTILINE):
             number = found.get(value)
             if number is None and re.fullmatch(r"0[xX][0-9a-fA-F]+|\d+", value):
                 number = int(value, 0)

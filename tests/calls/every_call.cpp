@@ -5,23 +5,24 @@
 //
 //     every_call [--whole] [--json FILE] [FUNCTION]
 //
-// Without --whole each parameter gets its legal value and two others.
+// Without --whole each parameter gets its legal value and two others. With it all values of its
+// kind, every token, and each two of four values of each pair of parameters.
 #include <unistd.h>
 
-#include <algorithm>
 #include <cfenv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
 
-#include "tests/calls/values.h"
 #include "tests/calls/host_state.h"
 #include "tests/calls/observation.h"
 #include "tests/calls/places.h"
+#include "tests/calls/variants.h"
 
 namespace openrt::test {
 namespace {
@@ -47,36 +48,6 @@ struct Result {
 unsigned errorsOfCall = 0;
 void countErrors(RTenum, const char*, const char*, void*) {
     ++errorsOfCall;
-}
-
-struct Variant {
-    std::string what;
-    std::vector<Value> arguments;
-};
-
-/// The legal call, then one for each other value of each parameter.
-std::vector<Variant> variantsOf(const ApiFunction& function, bool whole) {
-    std::vector<Value> legal;
-    for (const ApiParameter& parameter : function.parameters) legal.push_back(parameter.legal);
-    std::vector<Variant> variants = {{"legal", legal}};
-    unsigned turn = unsigned(std::strlen(function.name));
-    for (std::size_t i = 0; i < legal.size(); ++i) {
-        const std::vector<Value>& values = valuesOf(function.parameters[i].kind);
-        const bool token = function.parameters[i].kind == Kind::Token;
-        // Tokens are many, and most are equally wrong everywhere.
-        const std::size_t count = std::min<std::size_t>(values.size(), !whole  ? 2
-                                                                       : token ? 12
-                                                                               : 64);
-        for (std::size_t k = 0; k < count; ++k) {
-            std::size_t at = k;
-            if (!whole || token) at = k == 0 ? values.size() - 1 : ++turn * 31 % values.size();
-            Variant variant = {std::string(function.parameters[i].name) + " " + std::to_string(at),
-                               legal};
-            variant.arguments[i] = values[at];
-            variants.push_back(std::move(variant));
-        }
-    }
-    return variants;
 }
 
 /// A context of its own for each trial.
@@ -121,12 +92,19 @@ public:
         for (const Variant& variant : variantsOf(function, whole_))
             for (std::size_t i = 0; i < places().size(); ++i) tryCall(function, variant, i);
     }
+    /// Tokens, and pairs of wrong arguments: what records an error is called in one context.
+    void sweep(const ApiFunction& function, const std::vector<Variant>& variants) {
+        for (std::size_t i = 0; i < places().size() && !variants.empty(); ++i)
+            sweepIn(function, variants, i);
+    }
     /// After the end of the library, in a callback, in the child of a fork, on a new thread.
     void runElsewhere();
     Result& result() { return result_; }
 
 private:
     void tryCall(const ApiFunction& function, const Variant& variant, std::size_t placeNumber);
+    void sweepIn(const ApiFunction& function, const std::vector<Variant>& variants,
+                 std::size_t placeNumber);
     void callAll(const char* where, const std::set<std::string>& except);
     void fault(const std::string& call, const std::string& what, const std::string& details) {
         result_.faults.push_back(call + ": " + what + ": " + details);
@@ -162,6 +140,50 @@ void Trials::tryCall(const ApiFunction& function, const Variant& variant, std::s
     if (!changed.empty())
         fault(name, errors ? "an error was recorded, and state has changed" : "state has changed",
               changed);
+}
+
+void Trials::sweepIn(const ApiFunction& function, const std::vector<Variant>& variants,
+                     std::size_t placeNumber) {
+    const Place& place = places()[placeNumber];
+    std::optional<FreshContext> context;
+    const auto restart = [&] {
+        if (context) place.leave();
+        context.reset();
+        context.emplace();
+        place.enter();
+    };
+    const auto recordsError = [&](const Variant& variant) {
+        errorsOfCall = 0;
+        function.call(variant.arguments.data());
+        ++result_.calls;
+        ++result_.callsAt[place.name];
+        result_.errors += errorsOfCall > 0;
+        return errorsOfCall > 0;
+    };
+    // Where nothing can be recorded, nothing may happen.
+    std::vector<const Variant*> without;
+    restart();
+    const HostState before = HostState::now();
+    for (const Variant& variant : variants)
+        if (recordsError(variant) || !place.current)
+            without.push_back(&variant);
+        else
+            restart(); // it may have acted
+    bool isSound = before.differences(HostState::now()).empty();
+    restart();
+    if (!kMayActAndFail.contains(function.name)) {
+        for (const Variant* const variant : without) recordsError(*variant);
+        place.leave();
+        isSound = isSound && context->isCurrent() &&
+                  untouched_[placeNumber].differences(Observation::now()).empty();
+    }
+    context.reset();
+    if (isSound) return;
+    const std::size_t faults = result_.faults.size();
+    for (const Variant& variant : variants) tryCall(function, variant, placeNumber);
+    if (result_.faults.size() == faults)
+        fault(std::string(function.name) + " " + place.name,
+              "calls that record errors change state together", variants.front().what);
 }
 
 /// Each function once with legal arguments, whatever state the one before has left.
@@ -281,8 +303,13 @@ int main(int argc, char* argv[]) {
     makeHostUnusual();
     if (!controlsHold()) return 1;
     Trials trials(whole);
-    for (const ApiFunction& function : apiFunctions())
-        if (!only || std::strcmp(function.name, only) == 0) trials.run(function);
+    for (const ApiFunction& function : apiFunctions()) {
+        if (only && std::strcmp(function.name, only) != 0) continue;
+        trials.run(function);
+        if (!whole) continue;
+        trials.sweep(function, tokenVariantsOf(function));
+        trials.sweep(function, pairVariantsOf(function));
+    }
     if (!only) trials.runElsewhere();
     const Result& result = trials.result();
     std::fprintf(stderr, "%ld calls of %zu functions, %ld recorded an error; %zu faults\n",

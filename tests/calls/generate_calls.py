@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the table of all functions of libOpenRT: for each a function that calls it with arguments
-from an array, the kinds of its parameters, and arguments of a legal call.
+"""Writes the tables of all functions of libOpenRT and of librtut: for each a function that calls it
+with arguments from an array, the kinds of its parameters, and arguments of a legal call; and all
+tokens of each.
 
 Those of OpenGL's functions are those of tests/conformance/generate_wrong_calls.py.
 """
@@ -55,6 +56,14 @@ LEGAL = {
     "rtuTessProperty": "tess, RTU_TESS_BOUNDARY_ONLY, 1",
     "rtuGetTessProperty": "tess, RTU_TESS_BOUNDARY_ONLY, scratch",
     "rtuTessVertex": "tess, doubles, scratch", "rtuNextContour": "tess, RTU_EXTERIOR",
+    "rtutInitDisplayMode": "RTUT_DOUBLE", "rtutGet": "RTUT_WINDOW_WIDTH",
+    "rtutDeviceGet": "RTUT_HAS_MOUSE", "rtutLayerGet": "RTUT_LAYER_IN_USE",
+    "rtutSetCursor": "RTUT_CURSOR_WAIT", "rtutSetKeyRepeat": "RTUT_KEY_REPEAT_OFF",
+    "rtutBitmapCharacter": "bitmapFont, 65", "rtutBitmapWidth": "bitmapFont, 65",
+    "rtutBitmapLength": "bitmapFont, color", "rtutStrokeCharacter": "strokeFont, 65",
+    **{f"rtut{style}{shape}": legal for style in ("Wire", "Solid")
+       for shape, legal in {"Sphere": "1, 4, 3", "Cone": "1, 1, 4, 3", "Torus": "1, 2, 3, 4"}.items()},
+    "rtutStrokeWidth": "strokeFont, 65", "rtutStrokeLength": "strokeFont, color",
 }
 
 # A count, a size, a stride: what the memory passed with it has to hold.
@@ -70,10 +79,17 @@ OWN = {("rtSamples", "n"): "Samples", ("rtThreads", "n"): "Threads", ("rtFrameDe
        ("rtBufferSubData", "data"): "Indices", ("rtuCheckExtension", "extName"): "Text",
        ("rtuCheckExtension", "extString"): "Text", ("rtGenNewShaderClass", "fileName"): "FileName",
        ("rtGetShaderClassNames", "fileName"): "FileName", ("rtMultiDrawArrays", "first"): "Counts",
-       ("rtDeleteBuffers", "buffers"): "Ids"}
+       ("rtDeleteBuffers", "buffers"): "Ids", ("rtutInit", "argcp"): "ArgumentCount",
+       ("rtutInit", "argv"): "Arguments", ("rtutInitDisplayString", "string"): "DisplayString"}
+# Of librtut, by name; callbacks by type.
+OF_RTUT = {"query": "ToolkitToken", "cursor": "ToolkitToken", "repeatMode": "ToolkitToken",
+           "layer": "ToolkitToken", "component": "ToolkitToken", "mode": "Bits", "window": "Id",
+           "menu": "Id", "submenu": "Id", "item": "Id", "width": "Pixels", "height": "Pixels",
+           "font": "Font", "callback": "Callback", "slices": "Integer", "stacks": "Integer",
+           "sides": "Integer", "rings": "Integer"}
 HANDLES = {"RTUquadric": "Quadric", "RTUtesselator": "Tess", "RTUnurbs": "Nurbs"}
 BY_TYPE = {"RTray": "Rays", "RTraystream": "RayStream", "RThitstream": "HitStream",
-           "RTshaderclass": "Descriptor", "char": "Text"}
+           "RTshaderclass": "Descriptor", "char": "Text", "unsigned char": "Text"}
 ARRAYS = {"RTfloat": "Floats", "RTdouble": "Doubles", "RTint": "Ints", "RTuint": "Ids",
           "RTsizei": "Counts", "RTclampf": "Floats"}
 FLOATING = {"RTfloat", "RTdouble", "RTclampf", "RTclampd"}
@@ -90,6 +106,9 @@ def kind_of(function, parameter):
     own = OWN.get((function.name, parameter.name))
     if own:
         return own
+    if (function.name.startswith("rtut") and parameter.name in OF_RTUT
+            and parameter.base not in FLOATING):
+        return OF_RTUT[parameter.name]
     if parameter.type.startswith("void(RTAPIENTRY"):
         return "ErrorCallback" if "code" in parameter.type else "FrameCallback"
     if parameter.base == "RTUfuncptr":
@@ -149,6 +168,9 @@ def value(expression, parameter, kind):
         return 'Value::of("DiffuseShader")'
     if expression == "color":
         return 'Value::of("color")'
+    if expression in ("bitmapFont", "strokeFont"):
+        name = "RTUT_BITMAP_9_BY_15" if expression == "bitmapFont" else "RTUT_STROKE_ROMAN"
+        return f"Value::of(static_cast<const void*>({name}))"
     if parameter.pointer or kind in ("Function", "Context"):
         if expression == "memory":
             return "first(Kind::%s)" % ("Out" if kind == "Out" else kind)
@@ -169,6 +191,8 @@ def argument(function, i, parameter, kind):
     kinds = kind
     if kinds in ("ErrorCallback", "FrameCallback"):
         return f"args[{i}].p ? {kind[0].lower() + kind[1:]} : nullptr"
+    if kinds == "Callback":
+        return f"Callback{{args[{i}].p != nullptr}}"
     if kinds == "Function":
         return f"args[{i}].p ? callBack : nullptr"
     if parameter.type == "char *" and function.name == "rtInit":
@@ -197,27 +221,37 @@ def entry(function):
     parameters = ", ".join(
         f'{{"{p.name}", Kind::{kind}, {value(expression, p, kind)}}}'
         for p, kind, expression in zip(function.parameters, kinds, legal_of(function)))
-    return f'        {{"{function.name}", call_{function.name}, {{{parameters}}}}},'
+    left_out = ", true" if function.left_out else ""
+    return f'        {{"{function.name}", call_{function.name}, {{{parameters}}}{left_out}}},'
+
+
+def table(functions, name, header):
+    text = ["// SPDX-License-Identifier: MIT", "// Made by generate_calls.py.",
+            f'#include "{header}"', "", "namespace openrt::test {", "namespace {", ""]
+    text += [section(function) for function in functions]
+    text += ["} // namespace", "", f"const std::vector<ApiFunction>& {name}() {{",
+             "    static const std::vector<ApiFunction> all = {"]
+    text += [entry(function) for function in functions]
+    return text + ["    };", "    return all;", "}", "", "} // namespace openrt::test", ""]
+
+
+def token_list(tokens):
+    values = sorted(set(tokens.values()))
+    rows = [", ".join(f"{token:#x}u" for token in values[i:i + 8])
+            for i in range(0, len(values), 8)]
+    return "// SPDX-License-Identifier: MIT\n" + ",\n".join(rows) + "\n"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("output", type=pathlib.Path)
-    output = parser.parse_args().output
-    functions = api_functions.functions()
-    tokens = sorted(set(api_functions.tokens().values()))
-    text = ["// SPDX-License-Identifier: MIT", "// Made by generate_calls.py.",
-            '#include "tests/calls/values.h"', "", "namespace openrt::test {", "namespace {", ""]
-    text += [section(function) for function in functions]
-    text += ["} // namespace", "", "const std::vector<ApiFunction>& apiFunctions() {",
-             "    static const std::vector<ApiFunction> all = {"]
-    text += [entry(function) for function in functions]
-    text += ["    };", "    return all;", "}", "", "} // namespace openrt::test", ""]
-    output.write_text("\n".join(text), encoding="utf-8")
-    rows = [", ".join(f"{token:#x}u" for token in tokens[i:i + 8])
-            for i in range(0, len(tokens), 8)]
-    output.with_name("api_tokens.inc").write_text(
-        "// SPDX-License-Identifier: MIT\n" + ",\n".join(rows) + "\n", encoding="utf-8")
+    parser.add_argument("folder", type=pathlib.Path)
+    folder = parser.parse_args().folder
+    for library, header in (("api", "tests/calls/values.h"), ("rtut", "tests/calls/rtut_calls.h")):
+        rtut = library == "rtut"
+        calls = table(api_functions.functions(rtut), f"{library}Functions", header)
+        (folder / f"{library}_calls.cpp").write_text("\n".join(calls), encoding="utf-8")
+        (folder / f"{library}_tokens.inc").write_text(token_list(api_functions.tokens(rtut)),
+                                                      encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -77,18 +77,39 @@ std::vector<Value> floatingValues() {
     return values;
 }
 
+std::vector<Value> tokenValues(const std::vector<RTenum>& tokens) {
+    std::vector<Value> values = numbers({0});
+    for (const RTenum token : tokens) values.push_back(Value::of(int64_t(token)));
+    values.push_back(Value::of(0x9999));
+    return values;
+}
+
+std::vector<Value> fonts() {
+    std::vector<Value> values;
+    for (const int number : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, INT_MAX})
+        values.push_back(Value::of(reinterpret_cast<const void*>(uintptr_t(number))));
+    values.push_back(Value::of(scratch));
+    return values;
+}
+
+std::vector<Value> programArguments() {
+    static char program[] = "program", threads[] = "--rt-threads", one[] = "1";
+    static char frames[] = "--rt-offscreen", none[] = "0";
+    static char* right[] = {program, threads, one, nullptr};
+    static char* wrong[] = {program, frames, none, nullptr};
+    static char* incomplete[] = {program, one, frames, nullptr};
+    static char* empty[] = {nullptr, nullptr, nullptr, nullptr};
+    return memories({right, wrong, incomplete, empty, nullptr});
+}
+
 std::vector<Value> make(Kind kind) {
     static RTraystream stream;
     static RThitstream hits;
     static const RTshaderclass empty = {};
     static RTshaderclass copied = {};
     switch (kind) {
-        case Kind::Token: {
-            std::vector<Value> values = numbers({0});
-            for (const RTenum token : apiTokens()) values.push_back(Value::of(int64_t(token)));
-            values.push_back(Value::of(0x9999));
-            return values;
-        }
+        case Kind::Token:
+            return tokenValues(apiTokens());
         case Kind::Bits:
             return numbers({1, 0, 2, 0x4000, 0xFFFFF, 0xFFFFFFFF, 0x80000000});
         case Kind::Number:
@@ -183,7 +204,23 @@ std::vector<Value> make(Kind kind) {
         case Kind::ErrorCallback:
         case Kind::FrameCallback:
         case Kind::Function:
+        case Kind::Callback:
             return memories({scratch, nullptr});
+        case Kind::ToolkitToken:
+            return tokenValues(toolkitTokens());
+        case Kind::Pixels:
+            return numbers({16, 0, 1, 300, -1, 16385, INT_MAX, INT_MIN});
+        case Kind::Font:
+            return fonts();
+        case Kind::DisplayString:
+            return memories(
+                {"rgba double depth samples", "single", "index", "", "%s%n\xff", nullptr});
+        case Kind::ArgumentCount: {
+            static int three = 3, two = 2, none = 0, negative = -1, least = INT_MIN;
+            return memories({&three, &two, &none, &negative, &least, nullptr});
+        }
+        case Kind::Arguments:
+            return programArguments();
         case Kind::kCount:
             break;
     }
@@ -226,6 +263,13 @@ const std::vector<Value>& valuesOf(Kind kind) {
 const std::vector<RTenum>& apiTokens() {
     static const std::vector<RTenum> tokens = {
 #include "tests/calls/api_tokens.inc"
+    };
+    return tokens;
+}
+
+const std::vector<RTenum>& toolkitTokens() {
+    static const std::vector<RTenum> tokens = {
+#include "tests/calls/rtut_tokens.inc"
     };
     return tokens;
 }

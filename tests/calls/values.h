@@ -50,6 +50,13 @@ enum class Kind {
     ErrorCallback,
     FrameCallback,
     Function,
+    ToolkitToken, // of librtut, from here
+    Pixels,
+    Font,
+    Callback,
+    DisplayString,
+    ArgumentCount,
+    Arguments,
     kCount
 };
 
@@ -103,12 +110,14 @@ struct ApiFunction {
     const char* name;
     void (*call)(const Value* arguments);
     std::vector<ApiParameter> parameters;
+    bool isLeftOut = false; ///< by its header: does nothing but to tell so
 };
 
 /// All of the library's functions; generate_calls.py writes the table.
 const std::vector<ApiFunction>& apiFunctions();
-/// All of its tokens.
+/// All of its tokens, and those of librtut.
 const std::vector<RTenum>& apiTokens();
+const std::vector<RTenum>& toolkitTokens();
 
 inline constexpr unsigned kSide = 16;
 /// The frame buffer of prepareContext(), RT_RGBA_8; large enough for all sizes and strides.

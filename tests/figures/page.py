@@ -130,18 +130,34 @@ def memory():
 def calls():
     result = read("every_call.json")
     text = ["## Every call in every state", "",
-            "Each function with legal arguments and with each wrong one. A call that records an error "
-            "must leave all state that can be asked for, and the scene, as they were; no call may "
+            "Each function with legal arguments, and with every other value of its kind (for memory "
+            "and numbers a chosen list; every token) in one parameter at a time, and with four "
+            "values each in each pair of parameters; in a callback, after a fork, on another thread "
+            "and after rtExit once, with legal ones. A call that records an error must leave all state that can be asked for, and the scene, as they were; no call may "
             "change the host: floating-point control, signal mask and handlers, locale, affinity, "
             "folder, file mode mask, standard output, environment.", ""]
     if not result:
-        return [*text, f"`every_call`: {NOT_RUN}.", ""]
+        return [*text, f"`every_call`: {NOT_RUN}.", "", *rtut_calls()]
     kind = "all values" if result["whole"] else "two values a parameter"
     text += [f"`every_call`, {kind}: {thousands(result['functions'])} functions, "
              f"{thousands(result['calls'])} calls, {thousands(result['errors'])} recorded an error, "
              f"{result['faults']} faults.", ""]
     return text + table(["state", "calls"], [[place, thousands(n)] for place, n in
-                                              sorted(result["places"].items())])
+                                              sorted(result["places"].items())]) + rtut_calls()
+
+
+def rtut_calls():
+    result = read("every_rtut_call.json")
+    text = ["The same of librtut, off-screen, one parameter at a time, each call in a process of its "
+            "own. A call that tells a message or records an error must leave what can be asked for, "
+            "take no memory for good, and the program must go on as if it had not been made.", ""]
+    if not result:
+        return [*text, f"`every_rtut_call`: {NOT_RUN}.", ""]
+    kind = "all values" if result["whole"] else "two values a parameter"
+    return [*text, f"`every_rtut_call`, {kind}: {thousands(result['functions'])} functions, "
+            f"{thousands(result['calls'])} calls in {len(result['places'])} states, "
+            f"{thousands(result['recorded'])} told a message or recorded an error, "
+            f"{result['faults']} faults.", ""]
 
 
 def suite(preset):

@@ -66,6 +66,7 @@ State pushed[kMostAttributes];
 std::size_t depth;
 int attributeErrors, pushes;
 RTint objectIndex; ///< of the object that is being defined
+bool isInPrimitive;
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point cross(const Point& a, const Point& b) {
@@ -112,6 +113,7 @@ void RTAPIENTRY rtPolygonMode(RTenum face, RTenum mode) {
     if (face != RT_FRONT) state.polygonModes[1] = mode;
 }
 void RTAPIENTRY rtGetIntegerv(RTenum name, RTint* values) {
+    if (isInPrimitive) return;
     if (name == RT_ATTRIB_STACK_DEPTH) *values = RTint(depth);
     if (name == RT_MAX_ATTRIB_STACK_DEPTH) *values = RTint(kMostAttributes);
     if (name == RT_POLYGON_MODE) std::copy_n(state.polygonModes, 2, values);
@@ -289,6 +291,26 @@ TEST(Shapes, theTeapotOfAnObjectTouchesNoState) {
     EXPECT_EQ(inObject.triangles.size(), 32u * 14 * 14 * 2);
     drawn([] { rtutSolidTeapot(2); });
     EXPECT_EQ(pushes, 1);
+}
+
+TEST(Shapes, inAPrimitiveNothingIsDrawn) {
+    void (*const shapes[])() = {[] { rtutSolidCube(1); },
+                                [] { rtutWireTorus(1, 2, 5, 5); },
+                                [] { rtutSolidTorus(1, 2, 5, 5); },
+                                rtutSolidDodecahedron,
+                                rtutWireOctahedron,
+                                [] { rtutSolidTeapot(1); },
+                                [] { rtutWireTeapot(1); }};
+    for (void (*const shape)() : shapes) {
+        const auto count = [&] {
+            const Drawing d = drawn(shape);
+            return d.triangles.size() + d.lines.size();
+        };
+        EXPECT_GT(count(), 0u);
+        isInPrimitive = true;
+        EXPECT_EQ(count(), 0u);
+        isInPrimitive = false;
+    }
 }
 
 TEST(Shapes, theTeapotIsNewells) {

@@ -3,6 +3,13 @@
 
 #include "compat/rtut/drawing_names.h"
 
+/* Whether something can be drawn; in a primitive this records the error, and tells nothing. */
+static inline int isOutsidePrimitive(void) {
+    RTint depth = -1;
+    rtGetIntegerv(RT_ATTRIB_STACK_DEPTH, &depth);
+    return depth >= 0;
+}
+
 /* Whether there is state to be changed: the geometry of an object has none. */
 static inline int hasState(void) {
 #ifdef RTUT_ON_OPENGL
