@@ -51,6 +51,8 @@ def name_of(page):
 def is_built(command):
     """Whether the project's program that it calls is part of the build."""
     program = command.split()[0]
+    if program == "xvfb-run":
+        return bool(shutil.which(program))
     if program.startswith("bin/"):
         return (BUILD / program).exists()
     own = program.startswith("openrt-") or program == "shoal"
@@ -61,22 +63,34 @@ def commands_to_run(text, what):
     for command in commands(f"```sh\n{text}```\n"):
         if any(re.fullmatch(pattern, command) for pattern in what.without):
             continue
-        for old, new in what.replaced.items():
-            command = command.replace(old, new)
+        if command in what.instead:
+            command = what.instead[command]
+        else:
+            for old, new in what.replaced.items():
+                command = command.replace(old, new)
         if is_built(command):
             yield command
 
 
 class Works(unittest.TestCase):
     def setUp(self):
+        self.open_page()
+
+    def open_page(self):
+        """A reader with a folder of its own."""
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         self.reader = Reader(temporary.name, BUILD, COMPILERS)
         (self.reader.folder / "bin").symlink_to(BUILD / "bin")
+        (self.reader.folder / "build").mkdir()
+        (self.reader.folder / "build/release").symlink_to(BUILD)
 
     def provide(self, name, path):
         if path != "docs/porting.md":
-            shutil.copy(ROOT / path, self.reader.folder / name)
+            target = self.reader.folder / name
+            target.parent.mkdir(exist_ok=True)
+            if not target.exists():
+                target.symlink_to(ROOT / path)
             return
         source = blocks((ROOT / path).read_text(encoding="utf-8"), "c")[0]
         (self.reader.folder / f"{name}.c").write_text(source)
@@ -95,17 +109,20 @@ class Works(unittest.TestCase):
             return 1
         elif isinstance(what, Commands):
             found = list(commands_to_run(text, what))
-            for name, path in what.files.items() if found else ():
+            places = self.reader.environment["PATH"]
+            if not found or not all(shutil.which(tool, path=places) for tool in what.needs):
+                return 0
+            for name, path in what.files.items():
                 self.provide(name, path)
-            for command in found + ([what.afterwards] if found and what.afterwards and
-                                    is_built(what.afterwards) else []):
-                self.reader.run(command)
+            shown = [what.afterwards] if what.afterwards and is_built(what.afterwards) else []
+            self.reader.run("\n".join(found + shown))
             return len(found)
         return 0
 
     def test_pages(self):
         ran = 0
         for page in PAGES:
+            self.open_page()
             for _, text in blocks_of(page.read_text(encoding="utf-8")):
                 what = code_blocks.fate(name_of(page), text)
                 with self.subTest(page=name_of(page), block=text.split("\n")[0]):
@@ -118,11 +135,23 @@ class Works(unittest.TestCase):
         broken = [("rtBegin(RT_QUADS);\nrtRender();\nrtEnd();\n", Fragment()),
                   ("int unused;\n", Fragment()), ("false\n", Commands()),
                   ("true\n", Commands(afterwards="false")),
+                  ("true\n", Commands(instead={"true": "false"})),
                   ("cc none.c -o none\n", Commands())]
         for text, what in broken:
             with self.subTest(text), self.assertRaises(AssertionError):
                 self.take(text, what)
         self.assertIsNone(code_blocks.fate("docs/x.md", "a\n", {"docs/x.md": {"b": NoCode()}}))
+        gone = Commands(instead={"./demo": "true", "./demos": "true"}, without={"cmake": "", "x": ""})
+        self.assertEqual(without_command("README.md", gone), ["./demos", "cmake", "x"])
+
+
+def without_command(page, what):
+    """What is said of commands that the page does not have."""
+    shown = [command for _, text in blocks_of((ROOT / page).read_text(encoding="utf-8"))
+             for command in commands(f"```sh\n{text}```\n")]
+    return [command for command in what.instead if command not in shown] + [
+        pattern for pattern in what.without
+        if not any(re.fullmatch(pattern, command) for command in shown)]
 
 
 class Table(unittest.TestCase):
@@ -134,6 +163,8 @@ class Table(unittest.TestCase):
             for start, what in entries.items():
                 with self.subTest(page=page, start=start):
                     self.assertTrue(any(text.startswith(start) for text in found))
+                    if isinstance(what, Commands):
+                        self.assertEqual(without_command(page, what), [])
                     if isinstance(what, NotRun):
                         self.assertGreater(len(what.reason), 10)
 

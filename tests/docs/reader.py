@@ -36,12 +36,13 @@ class Reader:
         self.environment = {
             **os.environ, "PKG_CONFIG_PATH": str(tools), "LD_LIBRARY_PATH": str(build / "lib"),
             "LIBRARY_PATH": str(build / "lib"), "CPATH": ":".join(headers),
+            "HOME": str(self.folder),
             "PATH": ":".join(map(str, programs))}
 
     def run(self, command):
         """What the command printed. A warning of a compiler is an error too."""
         result = subprocess.run(["bash", "-e", "-o", "pipefail", "-c", command], cwd=self.folder,
-                                env=self.environment, capture_output=True, text=True, timeout=120,
+                                env=self.environment, capture_output=True, text=True, timeout=240,
                                 check=False)
         if result.returncode != 0 or "warning:" in result.stderr:
             raise AssertionError(f"{command}: {result.returncode}\n{result.stdout}{result.stderr}")
