@@ -53,7 +53,8 @@ def main():
                        "PATH": f"{folder / 'tools'}:{os.environ['PATH']}",
                        "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INDEX": "1"}
         subprocess.run(["bash", "-c", script], cwd=folder, env=environment, check=True)
-        assert list(folder.glob("openrt-python/lib/python*/site-packages/openrt/_declarations.py"))
+        for file in ("_declarations.py", "py.typed"):
+            assert list(folder.glob(f"openrt-python/lib/python*/site-packages/openrt/{file}")), file
         assert picture.read_bytes().startswith(b"P6"), picture
 
 

@@ -10,10 +10,13 @@ Arguments that are pointers take None, cffi pointers, bytes for `void` and numpy
 elements are of the pointer's type, writable ones where it is not const; a `const char *` takes a
 str. An array is not copied: it must live as long as the C function says that its memory must.
 """
+from __future__ import annotations
+
 import ctypes.util
 import os
 import pathlib
 import threading
+import typing
 
 import cffi
 import numpy
@@ -27,12 +30,12 @@ ffi.cdef(CDEF)
 class Error(RuntimeError):
     """What a call recorded. `code` is the token, such as raw.RT_INVALID_VALUE."""
 
-    def __init__(self, code, function, text):
+    def __init__(self, code: int, function: str, text: str) -> None:
         super().__init__(code, function, text)
         self.code = code
         self.function = function
 
-    def __str__(self):
+    def __str__(self) -> str:
         return f"{self.function}: {self.args[2]}"
 
 
@@ -95,7 +98,7 @@ _UTILITIES_WITHOUT_CONTEXT = {
     "rtuNextContour", "rtuEndPolygon"}
 
 
-def listen():
+def listen() -> None:
     """Makes the errors of the context current on this thread exceptions; init() does so."""
     raw.rtErrorCallback(_on_error, None)
 
@@ -157,7 +160,7 @@ def _wrapped(name):
 class _Raw:
     """Functions and constants of the C interface."""
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> typing.Any:
         if name in TOKENS:
             value = TOKENS[name]
         elif name.startswith("rt"):
@@ -170,14 +173,14 @@ class _Raw:
         setattr(self, name, value)
         return value
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return sorted([*TOKENS, *(name for name in dir(_library) if name.startswith("rt"))])
 
 
 raw = _Raw()
 
 
-def text(name):
+def text(name: str) -> str:
     """What rtGetString says of the library; also on a thread without a context."""
     made = None if raw.rtGetCurrentContext() else raw.rtCreateContext()
     if made:

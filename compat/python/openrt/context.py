@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Start, end and facts of the library."""
+from __future__ import annotations
+
 import operator
 
 from . import frames
 from .binding import _library, ffi, listen, raw, text
 
 
-def init(threads=0, isa=None):
+def init(threads: int = 0, isa: str | None = None) -> None:
     """Starts with a fresh context, current on this thread. A second call ends the first one's.
 
     threads: how many render, 0 to 1024; 0 = all cores. isa: "generic", "sse4", "avx2", "avx512" or
@@ -27,23 +29,23 @@ def init(threads=0, isa=None):
     raw.rtThreads(threads)
 
 
-def exit():
+def exit() -> None:
     """Waits for frames in flight and frees everything."""
     _library.rtExit()
     frames.let_go()
 
 
-def version():
+def version() -> str:
     """Of the library, as "0.1.0"; `openrt.__version__`, of the module, is the same."""
     return text("RT_VERSION").split()[-1]
 
 
-def instruction_set():
+def instruction_set() -> str:
     """The one that the kernels use."""
     return text("RT_ISA")
 
 
-def statistics():
+def statistics() -> dict[str, int]:
     """Facts of the last frame and of memory, as a dictionary: triangles, bytes, rays ..."""
     prefix = "RT_STAT_"
     names = [name for name in dir(raw) if name.startswith(prefix)]

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Pictures as numpy arrays, without a copy."""
+from __future__ import annotations
+
 import atexit
+import collections.abc
+import typing
 
 import numpy
 
@@ -31,7 +35,16 @@ class FrameBuffer:
     the arrays as you like; they are never exchanged, for the library has their addresses.
     """
 
-    def __init__(self, width, height, format="rgb8", values=()):
+    color: numpy.ndarray
+    depth: numpy.ndarray
+    distance: numpy.ndarray
+    normal: numpy.ndarray
+    object_id: numpy.ndarray
+    instance_id: numpy.ndarray
+    primitive_id: numpy.ndarray
+
+    def __init__(self, width: int, height: int, format: str = "rgb8",
+                 values: collections.abc.Iterable[str] = ()) -> None:
         if format not in _FORMATS:
             raise ValueError(f"format is one of {', '.join(_FORMATS)}")
         self.width, self.height = width, height
@@ -46,15 +59,15 @@ class FrameBuffer:
             shape = (height, width) if components == 1 else (height, width, components)
             setattr(self, name, numpy.zeros(shape, element))
 
-    def __setattr__(self, name, value):
+    def __setattr__(self, name: str, value: typing.Any) -> None:
         if name in vars(self):
             raise AttributeError(f"{name} of a FrameBuffer stays what it was made as")
         super().__setattr__(name, value)
 
-    def __delattr__(self, name):
+    def __delattr__(self, name: str) -> None:
         raise AttributeError(f"{name} of a FrameBuffer stays what it was made as")
 
-    def bind(self):
+    def bind(self) -> None:
         """Frames started from now on are written here."""
         raw.rtSetFrameBuffer(self.color.view(numpy.uint8), self.width, self.height, self._format)
         raw.rtFrameBufferStride(0)
@@ -64,16 +77,16 @@ class FrameBuffer:
         _bound.clear()
         _bound.append(self)
 
-    def picture(self):
+    def picture(self) -> numpy.ndarray:
         """The picture with the top row first: a view, not a copy."""
         return self.color[::-1]
 
 
-_bound = []     # keeps the memory that the library was told of
-_in_flight = {}  # frame: its buffer
+_bound: list[FrameBuffer] = []  # keeps the memory that the library was told of
+_in_flight: dict[int, FrameBuffer] = {}  # by frame
 
 
-def let_go():
+def let_go() -> None:
     """Forgets the buffers; for when the library writes to none any more."""
     _bound.clear()
     _in_flight.clear()
@@ -89,7 +102,7 @@ def _end():
     _library.rtDestroyContext(_library.rtGetCurrentContext())
 
 
-def render(buffer):
+def render(buffer: FrameBuffer) -> FrameBuffer:
     """Renders what was given since the last frame into the buffer, and returns it."""
     buffer.bind()
     raw.rtRender()
@@ -99,29 +112,29 @@ def render(buffer):
 class QueuedFrame:
     """A frame under way; see queue()."""
 
-    def __init__(self, number, buffer):
+    def __init__(self, number: int, buffer: FrameBuffer) -> None:
         self.number, self.buffer = number, buffer
 
     def __reduce__(self):
         raise TypeError("a QueuedFrame belongs to its process and can not be copied")
 
-    def wait(self):
+    def wait(self) -> bool:
         """Until it has ended. True: the picture is complete."""
         done = raw.rtWaitFrame(self.number) != 0
         _in_flight.pop(self.number, None)
         return done
 
-    def cancel(self):
+    def cancel(self) -> None:
         """Drops what no thread has begun; the frame ends soon."""
         raw.rtCancelFrame(self.number)
 
     @property
-    def progress(self):
+    def progress(self) -> float:
         """0 to 1."""
         return raw.rtFrameProgress(self.number)
 
     @property
-    def ended(self):
+    def ended(self) -> bool:
         """Whether nothing is written to the buffer any more."""
         return _has_ended(self.number)
 
@@ -130,7 +143,7 @@ def _has_ended(number):
     return raw.rtFrameStatus(number) not in (raw.RT_QUEUED, raw.RT_RENDERING)
 
 
-def queue(buffer):
+def queue(buffer: FrameBuffer) -> QueuedFrame:
     """Starts a frame into the buffer and returns at once with a QueuedFrame, unless the queue is
     full (rtFrameDepth). Use one buffer for each frame in flight."""
     for number in [number for number in _in_flight if _has_ended(number)]:

@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Objects from arrays, instances, the camera."""
+from __future__ import annotations
+
+import collections.abc
+
 import numpy
+from numpy.typing import ArrayLike
 
 from .binding import raw
-from .shaders import kept_binding
+from .shaders import Shader, kept_binding
+
+#: Three, of a point or direction.
+Numbers = collections.abc.Iterable[float]
 
 
 def _rows(values, columns, count, name):
@@ -16,7 +24,9 @@ def _rows(values, columns, count, name):
     return array
 
 
-def mesh(vertices, triangles=None, normals=None, colors=None, texcoords=None, shader=None):
+def mesh(vertices: ArrayLike, triangles: ArrayLike | None = None, normals: ArrayLike | None = None,
+         colors: ArrayLike | None = None, texcoords: ArrayLike | None = None,
+         shader: Shader | None = None) -> int:
     """An object; returns its id, for instance().
 
     vertices:  (n, 3) positions
@@ -79,7 +89,7 @@ def mesh(vertices, triangles=None, normals=None, colors=None, texcoords=None, sh
     return made
 
 
-def matrix(values):
+def matrix(values: ArrayLike) -> numpy.ndarray:
     """A 4x4 matrix in mathematical order as OpenGL lays it out: column by column."""
     array = numpy.asarray(values, numpy.float64)
     if array.shape != (4, 4):
@@ -87,7 +97,8 @@ def matrix(values):
     return numpy.ascontiguousarray(array.T)
 
 
-def instance(mesh, transform=None, shader=None):
+def instance(mesh: int, transform: ArrayLike | None = None,
+             shader: Shader | None = None) -> None:
     """Places an object in the next frame. transform: 4x4, the translation in the last column;
     None: the current model-view matrix. shader: takes the place of the object's own."""
     raw.rtPushMatrix()
@@ -102,7 +113,8 @@ def instance(mesh, transform=None, shader=None):
         raw.rtPopMatrix()
 
 
-def camera(eye, target, up=(0, 1, 0), fovy=45.0, aspect=1.0, near=0.01, far=10000.0):
+def camera(eye: Numbers, target: Numbers, up: Numbers = (0, 1, 0), fovy: float = 45.0,
+           aspect: float = 1.0, near: float = 0.01, far: float = 10000.0) -> None:
     """Looks from eye to target; fovy: the whole vertical angle in degrees. Call it before the
     frame's first instance: instances are placed in the world that it looks at."""
     raw.rtMatrixMode(raw.RT_PROJECTION)

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Rays from the application, in arrays."""
+from __future__ import annotations
+
 import dataclasses
 
 import numpy
+from numpy.typing import ArrayLike
 
 from .binding import Error, ffi, raw
 
@@ -23,7 +26,7 @@ class Hits:
     normal: numpy.ndarray
 
     @property
-    def hit(self):
+    def hit(self) -> numpy.ndarray:
         """Whether each ray hit anything: n truth values."""
         return self.primitive != MISS
 
@@ -32,22 +35,23 @@ class CompiledScene:
     """What the next frame consists of so far, ready for rays; the frame goes on. Any thread may
     ask, several at once. It is held until close(), which a `with` calls."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._handle = raw.rtCompileScene()
 
-    def close(self):
+    def close(self) -> None:
         """Frees it; afterwards nothing can be asked."""
         if self._handle is not None:
             handle, self._handle = self._handle, None
             raw.rtReleaseScene(handle)
 
-    def __enter__(self):
+    def __enter__(self) -> CompiledScene:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
-    def intersect(self, origins, directions, tnear=0.0, tfar=numpy.inf, coherent=False):
+    def intersect(self, origins: ArrayLike, directions: ArrayLike, tnear: ArrayLike = 0.0,
+                  tfar: ArrayLike = numpy.inf, coherent: bool = False) -> Hits:
         """Nearest hits of n rays. origins: (n, 3), or (3,) for all; directions: (n, 3), of any
         length; tnear, tfar: a number, or n. coherent: neighbours in the arrays are neighbours in
         space, as the pixels of a picture are; it changes the speed only."""
@@ -69,7 +73,8 @@ class CompiledScene:
             raise _unanswered("rtIntersectStream")
         return hits
 
-    def occluded(self, origins, directions, tnear=0.0, tfar=numpy.inf, coherent=False):
+    def occluded(self, origins: ArrayLike, directions: ArrayLike, tnear: ArrayLike = 0.0,
+                 tfar: ArrayLike = numpy.inf, coherent: bool = False) -> numpy.ndarray:
         """Whether anything lies in a ray's range: n truth values."""
         rays, kept, count = self._stream(origins, directions, tnear, tfar)
         blocked = numpy.empty(count, numpy.uint8)

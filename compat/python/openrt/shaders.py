@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Shaders by name, their parameters as attributes."""
+from __future__ import annotations
+
 import contextlib
 
 import numpy
+from numpy.typing import ArrayLike
 
 from .binding import Error, raw
 
@@ -31,7 +34,10 @@ class Shader:
     Values are numbers, sequences of 2, 3, 4 or 16 numbers, 4x4 matrices and str.
     """
 
-    def __init__(self, class_name, library=None, **parameters):
+    id: int
+
+    def __init__(self, class_name: str, library: str | None = None,
+                 **parameters: ArrayLike) -> None:
         with kept_binding():
             self._class = raw.rtGenNewShaderClass(class_name, library)
             self.id = raw.rtGenNewShader()
@@ -44,34 +50,34 @@ class Shader:
     def __reduce__(self):
         raise TypeError("a Shader belongs to its context and can not be copied")
 
-    def bind(self):
+    def bind(self) -> None:
         """Geometry from here on uses it."""
         raw.rtBindShader(self.id)
 
-    def set(self, **parameters):
+    def set(self, **parameters: ArrayLike) -> None:
         """Sets parameters by name; which names there are, docs/builtin-shaders.md says."""
         with kept_binding():
             self.bind()
             for name, value in parameters.items():
                 _set(raw.rtParameterHandle(name), value)
 
-    def use(self):
+    def use(self) -> None:
         """Makes a light part of the next frame."""
         raw.rtUseLight(self.id)
 
-    def use_as_camera(self):
+    def use_as_camera(self) -> None:
         """Takes the picture of the next frame, in the place of camera()."""
         raw.rtUseCamera(self.id)
 
-    def use_as_environment(self):
+    def use_as_environment(self) -> None:
         """Surrounds the next frame: what rays see that meet nothing."""
         raw.rtUseEnvironmentShader(self.id)
 
-    def use_as_rendering_object(self):
+    def use_as_rendering_object(self) -> None:
         """Makes pixels of rays in the next frame."""
         raw.rtUseRenderingObject(self.id)
 
-    def remove(self):
+    def remove(self) -> None:
         """Forgets the id; objects and frames that use the shader keep it."""
         raw.rtRemoveShader(self.id)
 
