@@ -68,9 +68,9 @@ void SceneOptions::addTo(CLI::App& app) {
     app.add_option("--samples", samples, "samples a pixel")
         ->check(CLI::Range(1, 4096))
         ->capture_default_str();
-    app.add_option("--threads", threads, "rendering threads, 0 for all cores")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
+    app.add_option("--threads", threads,
+                   "rendering threads, 0 for all cores; without it OPENRT_THREADS, or all")
+        ->check(CLI::Range(0, 1024));
     app.add_option("--precision", precision, "how exact intersections are")
         ->check(CLI::IsMember({"fast", "watertight", "precise"}))
         ->capture_default_str();
@@ -155,7 +155,7 @@ std::optional<View> viewFrom(const SceneOptions& options) {
 void applySettings(const SceneOptions& options) {
     const bool fast = options.precision == "fast", precise = options.precision == "precise";
     rtHint(RT_PRECISION_HINT, fast ? RT_FASTEST : precise ? RT_NICEST : RT_DONT_CARE);
-    rtThreads(options.threads);
+    if (options.threads) rtThreads(*options.threads);
     rtSamples(options.samples);
     checkRt();
 }

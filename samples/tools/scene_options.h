@@ -20,7 +20,8 @@ struct SceneOptions {
     std::string environment; ///< picture around the scene; empty: a plain sky
     std::vector<std::string> lights;
     float exposureStops = 0.0f;
-    uint32_t samples = 1, threads = 0, frames = 1;
+    uint32_t samples = 1, frames = 1;
+    std::optional<uint32_t> threads; ///< without a value: OPENRT_THREADS, or all cores
 
     void addTo(CLI::App& app); ///< those of all programs
     void addSizeTo(CLI::App& app);

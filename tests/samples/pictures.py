@@ -7,6 +7,7 @@ pictures.py OPENRT_RENDER
 import base64
 import json
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -19,6 +20,7 @@ from gltf_documents import document, glb, spoilt
 from program_runs import Runner, png
 
 PROGRAM = sys.argv[1]
+TRACE = pathlib.Path(PROGRAM).with_name("openrt-trace")
 
 
 class Pictures(unittest.TestCase):
@@ -102,6 +104,18 @@ class Pictures(unittest.TestCase):
             self.runner.picture(scene, "--threads", threads, size="97x61")
             files.append((self.folder / "out.png").read_bytes())
         self.assertTrue(files[0] == files[1] == files[2])
+
+    def test_threads_are_the_environments_unless_told(self):
+        scene = self.write("a.glb", glb(document()))
+        recording = self.folder / "calls.ort"
+        for arguments, said in (((), []), (("--threads", "0"), ["rtThreads(0)"]),
+                                (("--threads", "3"), ["rtThreads(3)"])):
+            subprocess.run([TRACE, "record", "-o", recording, PROGRAM, scene, "-o",
+                            self.folder / "out.png", "--size", "4x4", *arguments], check=True)
+            calls = subprocess.run([TRACE, "dump", recording], capture_output=True, text=True,
+                                   check=True).stdout
+            self.assertEqual(re.findall(r"rtThreads\([^)]*\)", calls), said)
+            recording.unlink()
 
     def test_statistics(self):
         scene = self.write("a.glb", glb(document()))
