@@ -153,7 +153,7 @@ def rtut_calls():
             "take no memory for good, and the program must go on as if it had not been made.", ""]
     if not result:
         return [*text, f"`every_rtut_call`: {NOT_RUN}.", ""]
-    kind = "all values" if result["whole"] else "two values a parameter"
+    kind = "all values" if result["whole"] else "two values a parameter, each in a third of the states"
     return [*text, f"`every_rtut_call`, {kind}: {thousands(result['functions'])} functions, "
             f"{thousands(result['calls'])} calls in {len(result['places'])} states, "
             f"{thousands(result['recorded'])} told a message or recorded an error, "
