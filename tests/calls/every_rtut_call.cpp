@@ -269,7 +269,8 @@ private:
         for (const std::string& text : account.faults) fault(name, text);
         const auto mayEnd = kMayEnd.find(function.name);
         if (!account.isReturned && account.faults.empty() && mayEnd == kMayEnd.end())
-            fault(name, "the program ended");
+            fault(name, "the program ended: " +
+                            firstDifference(untouched_[number].seen, account.seen));
         if (account.isTold && account.seen != untouched_[number].seen)
             fault(name, "a message, and the program goes on otherwise: " +
                             firstDifference(untouched_[number].seen, account.seen));
