@@ -77,6 +77,14 @@ Image decodePng(std::span<const uint8_t> bytes, PixelBudget& budget) {
     return image;
 }
 
+#ifdef SAMPLES_HAVE_JPEG
+LoadError brokenJpeg() {
+    const char* const reason = stbi_failure_reason(); // some failures have none
+    return LoadError(std::string("a broken JPEG image") + (reason ? ": " : "") +
+                     (reason ? reason : ""));
+}
+#endif
+
 Image decodeJpeg([[maybe_unused]] std::span<const uint8_t> bytes,
                  [[maybe_unused]] PixelBudget& budget) {
 #ifdef SAMPLES_HAVE_JPEG
@@ -84,13 +92,13 @@ Image decodeJpeg([[maybe_unused]] std::span<const uint8_t> bytes,
     int width = 0, height = 0, channels = 0;
     const int size = int(std::min<std::size_t>(bytes.size(), std::size_t(1) << 30));
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels)) {
-        throw LoadError(std::string("a broken JPEG image: ") + stbi_failure_reason());
+        throw brokenJpeg();
     }
     takePixels(budget, uint64_t(std::max(width, 0)), uint64_t(std::max(height, 0)));
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4),
         &stbi_image_free);
-    if (!pixels) throw LoadError(std::string("a broken JPEG image: ") + stbi_failure_reason());
+    if (!pixels) throw brokenJpeg();
     const std::size_t count = std::size_t(width) * std::size_t(height) * 4;
     return {uint32_t(width), uint32_t(height), {pixels.get(), pixels.get() + count}};
 #else
