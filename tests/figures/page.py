@@ -219,6 +219,14 @@ def bare_machine():
             f"{work:.1f} minutes of one core. {bare.get('note', '')}").rstrip()
 
 
+def compared(twice):
+    """Of two builds, what reproducible.py says."""
+    files = f" in all of {thousands(twice['files'])} installed files" if "files" in twice else ""
+    different = ", ".join(f"`{name}`" for name in twice.get("different", []))
+    told = f"equal{files}" if twice["equal"] else f"different{': ' if different else ''}{different}"
+    return f"{told}. {twice['note']}" if "note" in twice else told
+
+
 def sizes():
     start, coverage = read("start.json"), read("coverage.json")
     rows = [["stripped `libOpenRT.so`",
@@ -228,9 +236,7 @@ def sizes():
              f"{start['true_ms']['median']} ms)" if start else NOT_RUN],
             ["from a bare Debian 12 to the first picture, by `./demo`", bare_machine()]]
     twice = read("reproducible.json")
-    told = NOT_RUN if not twice else "equal" if twice["equal"] else "different"
-    rows.append(["two builds of the library in different folders",
-                 f"{told}. {twice['note']}" if twice and "note" in twice else told])
+    rows.append(["two builds in different folders", compared(twice) if twice else NOT_RUN])
     if coverage:
         share = 100 * coverage["covered"] / coverage["lines"]
         which = f", by the tests `{coverage['tests']}` only" if "tests" in coverage else ""
