@@ -21,10 +21,11 @@ namespace {
 
 thread_local bool isWorker = false;
 
-void nameThisThread([[maybe_unused]] const std::string& what) {
+/// By the one who starts the thread: what comes after finds it by its name.
+void nameThread([[maybe_unused]] std::jthread& thread, [[maybe_unused]] const std::string& what) {
 #if defined(__linux__)
     const std::string name = "openrt-" + what; // the system takes 15 characters
-    pthread_setname_np(pthread_self(), name.substr(0, 15).c_str());
+    pthread_setname_np(thread.native_handle(), name.substr(0, 15).c_str());
 #endif
 }
 
@@ -51,12 +52,13 @@ void work(TileSource& source, const Tracer& tracer) {
 
 std::jthread startWorkerThread(const char* name, std::function<void()> run) {
     const SignalsBlocked signalsBlocked;
-    return std::jthread([name = std::string(name), run = std::move(run)] {
+    std::jthread thread([run = std::move(run)] {
         const FpEnvironment standard;
-        nameThisThread(name);
         isWorker = true;
         run();
     });
+    nameThread(thread, name);
+    return thread;
 }
 
 bool onWorkerThread() noexcept {
@@ -68,9 +70,8 @@ ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& trace
     threads_.reserve(threads);
     for (unsigned i = 0; i < threads; ++i) {
         try {
-            threads_.emplace_back([&source, &tracer, i] {
+            threads_.emplace_back([&source, &tracer] {
                 const FpEnvironment standard;
-                nameThisThread(std::to_string(i));
                 isWorker = true;
                 work(source, tracer);
             });
@@ -78,6 +79,7 @@ ThreadTeam::ThreadTeam(unsigned threads, TileSource& source, const Tracer& trace
             if (threads_.empty()) throw;
             break; // the machine has no more to give: fewer do the same work
         }
+        nameThread(threads_.back(), std::to_string(i));
     }
 }
 
