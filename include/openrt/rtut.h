@@ -110,8 +110,8 @@ RTAPI void RTAPIENTRY rtutPostWindowRedisplay(int window);
 RTAPI void RTAPIENTRY rtutSwapBuffers(void);
 RTAPI void RTAPIENTRY rtutWarpPointer(int x, int y);
 
-/* The cursor of the current window, RTUT_CURSOR_...: those that the window system lacks become the
- * arrow. Since: 0.1 */
+/* Sets the cursor of the current window: cursor is an RTUT_CURSOR_ constant; those that the window
+ * system lacks become the arrow. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutSetCursor(int cursor);
 
 /* ---- Callbacks -------------------------------------------------------------------------- */

@@ -108,8 +108,8 @@ class Pictures(unittest.TestCase):
     def test_threads_are_the_environments_unless_told(self):
         scene = self.write("a.glb", glb(document()))
         recording = self.folder / "calls.ort"
-        for arguments, said in (((), []), (("--threads", "0"), ["rtThreads(0)"]),
-                                (("--threads", "3"), ["rtThreads(3)"])):
+        for arguments, said in (((), []), (("--threads", "0"), ["rtThreads(0u)"]),
+                                (("--threads", "3"), ["rtThreads(3u)"])):
             subprocess.run([TRACE, "record", "-o", recording, PROGRAM, scene, "-o",
                             self.folder / "out.png", "--size", "4x4", *arguments], check=True)
             calls = subprocess.run([TRACE, "dump", recording], capture_output=True, text=True,
