@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Turns the comments of the public headers, which are written for readers of the headers, into what
-Doxygen understands; prints the header given. Doxygen calls it as its INPUT_FILTER.
+Doxygen understands; prints the header given. Doxygen calls it as its INPUT_FILTER. Those in C++ are
+in Doxygen's form but for the lines at their beginning, which are about the file.
 
 usage: header_filter.py HEADER
 """
@@ -88,7 +89,13 @@ def convert(source, header):
     return "".join(out)
 
 
+def convert_cpp(source):
+    about = re.search(r"(?<=SPDX-License-Identifier: MIT\n)(//(?!/).*\n)+", source)
+    lines = [re.sub("^// ?", "", line) for line in about[0].splitlines()]
+    return source[:about.start()] + comment(["@file", *paragraphs(blocks(lines))]) + "\n" + source[about.end():]
+
+
 if __name__ == "__main__":
     path = pathlib.Path(sys.argv[1])
     text = path.read_text(encoding="utf-8")
-    sys.stdout.write(convert(text, path.name) if path.suffix in (".h", ".in") else text)
+    sys.stdout.write(convert_cpp(text) if path.suffix == ".hpp" else convert(text, path.name))
