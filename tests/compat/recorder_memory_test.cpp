@@ -31,6 +31,9 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
     if (!memory) throw std::bad_alloc();
     return memory;
 }
+[[gnu::noinline]] void release(void* memory) noexcept { // inlined, g++ takes it for a wrong pair
+    std::free(memory);
+}
 
 } // namespace
 
@@ -38,10 +41,10 @@ void* operator new(std::size_t bytes) { return allocate(bytes, alignof(std::max_
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
     return allocate(bytes, std::max(std::size_t(alignment), alignof(std::max_align_t)));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
 namespace smart::compat {
 namespace {
