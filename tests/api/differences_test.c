@@ -283,7 +283,7 @@ static void samplesAreAtPixelCentres(void) {
 }
 
 static void radianceAdds(void) {
-    float one[2], both;
+    float one[2], both = 0;
     int i;
     for (i = 0; i < 3; ++i) {
         RTuint lights[2];

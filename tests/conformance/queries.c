@@ -241,7 +241,7 @@ static void lightsAndMaterials(void) {
     static const Parameter shininess[] = {PARAMETER(GL_SHININESS, 1)};
     static const GLfloat numbers[4] = {3.0f, -2.0f, 5.0f, 1.0f};
     for (int i = 0; i < 8; ++i) {
-        char name[16];
+        char name[24];
         snprintf(name, sizeof name, "light%d", i);
         PARAMETERS(name, (GLenum)(GL_LIGHT0 + i), lightParameters, numbers, glLightfv, glGetLightfv,
                    glGetLightiv);
@@ -348,7 +348,7 @@ static void texturing(void) {
     PARAMETERS("filter_control", GL_TEXTURE_FILTER_CONTROL, bias, whole, glTexEnvfv, glGetTexEnvfv,
                glGetTexEnviv);
     for (int i = 0; i < 4; ++i) {
-        char name[16];
+        char name[24];
         snprintf(name, sizeof name, "generate_%d", i);
         PARAMETERS(name, coordinates[i], generationModes, linear, glTexGenfv, glGetTexGenfv,
                    glGetTexGeniv);

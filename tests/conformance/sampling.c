@@ -382,7 +382,7 @@ static void loneTriangles(void) {
                                              {{4.5f, 20.5f}, {4.5f, 4.5f}, {20.5f, 20.5f}}};
     for (int way = 0; way < 4; ++way)
         for (int first = 0; first < 3; ++first) {
-            char name[32];
+            char name[40];
             snprintf(name, sizeof name, "lone_triangle/%d/%d", way, first);
             beginCase(name);
             clearBoth();
