@@ -23,7 +23,7 @@ std::vector<Mistakes> judgeClosest(const Truth& truth, const RaySet& rays,
 std::vector<Mistakes> judgeAny(const Truth& truth, const RaySet& rays,
                                std::span<const std::vector<uint32_t>> blocked);
 
-/// More wrong answers than this share of the rays, and our speed means nothing.
+/// With this share of wrong answers our speed means nothing.
 inline constexpr double kWrongLimit = 1e-6;
 
 } // namespace smart::bench

@@ -256,8 +256,8 @@ std::vector<Series> measure(const Truth& truth, const Plan& plan,
     }
     for (Series& series : all) {
         for (Result& result : series.results)
-            result.refused =
-                !result.peer && double(result.mistakes.wrong) > kWrongLimit * double(series.rays);
+            result.refused = !result.peer && result.mistakes.wrong > 0 &&
+                             double(result.mistakes.wrong) >= kWrongLimit * double(series.rays);
     }
     return all;
 }
