@@ -62,6 +62,16 @@ std::vector<Ray> diverging(std::size_t count, uint64_t seed) {
     return rays;
 }
 
+/// The pixels of a camera's square picture column by column.
+std::vector<Ray> columns(const std::vector<Ray>& blocks, uint32_t size) {
+    std::vector<Ray> rays;
+    for (uint32_t x = 0; x < size; ++x) {
+        for (uint32_t y = 0; y < size; ++y)
+            rays.push_back(blocks[(y / 4 * (size / 4) + x / 4) * 16 + y % 4 * 4 + x % 4]);
+    }
+    return rays;
+}
+
 std::vector<Ray> turnedAway(std::vector<Ray> rays) {
     for (Ray& ray : rays)
         for (float& d : ray.dir) d = -d;
@@ -122,6 +132,7 @@ std::vector<Case> cases(uint32_t size) {
     all.push_back({"no triangle", none, camera(outside, size)});
     all.push_back({"picture of 1x1", sphere, camera(outside, small), 1});
     all.push_back({"picture of 1x4", sphere, camera(outside, small), 4});
+    all.push_back({"picture of one column", sphere, columns(camera(outside, size), size), size});
     all.push_back({"picture of 4x4", sphere, camera(outside, small), 16});
     all.push_back({"picture of 1x4, diverging", sphere, diverging(count / 4, 3), 4});
     all.push_back({"picture of 4x4, diverging", sphere, diverging(count / 4, 4), 16});
