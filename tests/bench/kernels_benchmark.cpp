@@ -3,6 +3,7 @@
 // and so on choose. Small scenes that lie in the caches: what is measured is code, not memory.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <string>
 
 #include "libsmart/kernel/kernels.h"
@@ -18,7 +19,7 @@ constexpr const char* kModes[] = {"fast", "watertight", "precise"};
 struct Fixture {
     std::vector<Triangle> triangles;
     ScenePtr scenes[kPrecisionCount];
-    bench::RaySet primary, shadow, bounce;
+    bench::RaySet primary, shadow, ao, bounce;
 
     Fixture() : triangles(test::bumpySphere(20'000)) {
         bench::BuildReport report;
@@ -31,6 +32,7 @@ struct Fixture {
         const std::vector<bench::SurfacePacket> points = bench::surfacePoints(
             primary, scenes[int(Precision::Watertight)]->view(), triangles);
         shadow = bench::shadowRays(view, points);
+        ao = bench::diffuseRays(points, 4, 0.3f, 1);
         bounce = bench::diffuseRays(points, 1, INFINITY, 1);
     }
 };
@@ -94,33 +96,45 @@ void intersect1(benchmark::State& state, const KernelTable* table, int mode,
     report(state, rays);
 }
 
-void intersectTile(benchmark::State& state, const KernelTable* table, int mode,
+constexpr std::size_t kStreamPackets = 64;
+
+/// A kernel that takes up to `Most` packets at a time.
+template <auto Kernel, std::size_t Most>
+void intersectMany(benchmark::State& state, const KernelTable* table, int mode,
                    RaySet Fixture::*set) {
     const RaySet& rays = fixture().*set;
     const ModelView& view = fixture().scenes[mode]->view();
-    HitPacket hits[kTilePackets];
+    HitPacket hits[Most];
     for (auto _ : state) {
-        for (std::size_t p = 0; p + kTilePackets <= rays.packets.size(); p += kTilePackets) {
-            table->intersectTile[mode](view, &rays.packets[p], kTilePackets, hits);
+        for (std::size_t p = 0; p < rays.packets.size(); p += Most) {
+            const std::size_t count = std::min(Most, rays.packets.size() - p);
+            (table->*Kernel)[mode](view, &rays.packets[p], uint32_t(count), hits);
             benchmark::DoNotOptimize(hits);
         }
     }
     report(state, rays);
 }
 
-void occludedTile(benchmark::State& state, const KernelTable* table, int mode,
+template <auto Kernel, std::size_t Most>
+void occludedMany(benchmark::State& state, const KernelTable* table, int mode,
                   RaySet Fixture::*set) {
     const RaySet& rays = fixture().*set;
     const ModelView& view = fixture().scenes[mode]->view();
-    uint32_t blocked[kTilePackets];
+    uint32_t blocked[Most];
     for (auto _ : state) {
-        for (std::size_t p = 0; p + kTilePackets <= rays.packets.size(); p += kTilePackets) {
-            table->occludedTile[mode](view, &rays.packets[p], kTilePackets, blocked);
+        for (std::size_t p = 0; p < rays.packets.size(); p += Most) {
+            const std::size_t count = std::min(Most, rays.packets.size() - p);
+            (table->*Kernel)[mode](view, &rays.packets[p], uint32_t(count), blocked);
             benchmark::DoNotOptimize(blocked);
         }
     }
     report(state, rays);
 }
+
+constexpr auto intersectTile = intersectMany<&KernelTable::intersectTile, kTilePackets>;
+constexpr auto occludedTile = occludedMany<&KernelTable::occludedTile, kTilePackets>;
+constexpr auto intersectStream = intersectMany<&KernelTable::intersectStream, kStreamPackets>;
+constexpr auto occludedStream = occludedMany<&KernelTable::occludedStream, kStreamPackets>;
 
 using Run = void (*)(benchmark::State&, const KernelTable*, int, RaySet Fixture::*);
 struct Kernel {
@@ -135,8 +149,10 @@ constexpr Kernel kKernels[] = {
     {"intersect1/primary", intersect1, &Fixture::primary, true},
     {"intersect/bounce", intersect, &Fixture::bounce, true},
     {"intersect1/bounce", intersect1, &Fixture::bounce, true},
+    {"intersectStream/bounce", intersectStream, &Fixture::bounce, false},
     {"occluded/shadow", occluded, &Fixture::shadow, true},
     {"occludedTile/shadow", occludedTile, &Fixture::shadow, false},
+    {"occludedStream/ao", occludedStream, &Fixture::ao, false},
 };
 
 } // namespace
