@@ -16,6 +16,11 @@ KINDS = ["primary", "shadow", "ao", "bounce"]
 GOALS = {"primary": 2.0, "shadow": 1.5, "ao": 1.1, "bounce": 1.1}
 # Read and written by the public query: a ray, and t and the triangle or one flag.
 BYTES = {"primary": 40, "shadow": 33, "ao": 33, "bounce": 40}
+# Of a node, sixteen boxes of six planes each, and of a triangle: the operations of a ray that meets
+# it, divisions among them, and the bytes that are read.
+FLOP = {"nodes": 16 * 6 * 2, "triangles": 40}
+TREE_BYTES = {"nodes": 448, "triangles": 40}
+PACKET = 16  # rays
 COLOURS = ["#4477aa", "#ee6677", "#228833", "#ccbb44"]
 
 
@@ -167,15 +172,19 @@ class Runs:
                         number(rate / rates[1]) if rate else "-" for rate in rates])
         return table(["scene", "rays", "fast", "watertight", "precise"], rows)
 
+    def best_limits(self):
+        limits = [run["limits"] for run in self.rays if "limits" in run]
+        return {key: max(one[key] for one in limits) for key in limits[0]} if limits else None
+
     def limits(self):
-        """Cycles a ray beside what the machine can do, and what rays do in the tree."""
+        """What rays do in the tree, and the share of what the machine can do that this is."""
+        best = self.best_limits()
         rows = []
         for scene in self.scenes:
             for run in self.rays:
                 if (scene_name(run) != scene or run["isa"] != self.best_isa
                         or run["precision"] != "watertight" or "limits" not in run):
                     continue
-                clock = run["limits"]["clockGHz"] * 1e9
                 for count in run.get("counts", []):
                     kind = count["kind"]
                     series = [one for one in run["series"]
@@ -183,19 +192,27 @@ class Runs:
                     rate = median_of(series, public_form(kind), "mraysPerSecond")
                     if not rate:
                         continue
-                    share = rate * 1e6 * BYTES[kind] / (run["limits"]["memoryGBs"] * 1e9)
-                    rows.append([scene, kind, number(clock / rate / 1e6, 0)] + [
-                        number(count[how][what], 1) for how in ("aRayAlone", "aPacket")
-                        for what in ("nodes", "leaves", "triangles")] + [f"{share:.0%}"])
-        return table(["scene", "rays", "cycles a ray", "nodes, a ray alone", "leaves",
-                      "triangles", "nodes, a packet", "leaves", "triangles",
-                      "of memory's rate"], rows)
+                    alone, packet = count["aRayAlone"], count["aPacket"]
+                    flop = sum(FLOP[what] * alone[what] for what in FLOP)
+                    tree = sum(TREE_BYTES[what] * packet[what] for what in TREE_BYTES) / PACKET
+
+                    def share(each, limit):
+                        return f"{rate * each / (best[limit] * 1e3):.0%}"
+
+                    rows.append([
+                        scene, kind, number(run["limits"]["clockGHz"] * 1e3 / rate, 0),
+                        number(alone["nodes"], 1), number(alone["triangles"], 1), number(flop, 0),
+                        share(flop, "gigaflops"), number(packet["nodes"], 1),
+                        number(packet["triangles"], 1), number(BYTES[kind] + tree, 0),
+                        share(BYTES[kind] + tree, "cacheGBs"), share(BYTES[kind], "memoryGBs")])
+        return table(["scene", "rays", "cycles a ray", "nodes, a ray alone", "triangles", "FLOP",
+                      "of arithmetic's rate", "nodes, a packet", "triangles", "bytes a ray",
+                      "of the cache's rate", "rays and hits, of memory's rate"], rows)
 
     def machine_limits(self):
-        limits = [run["limits"] for run in self.rays if "limits" in run]
-        if not limits:
+        best = self.best_limits()
+        if not best:
             return "-"
-        best = {key: max(one[key] for one in limits) for key in limits[0]}
         return (f"One thread: {best['clockGHz']:.2f} GHz, {best['gigaflops']:.0f} GFLOP/s, "
                 f"{best['cacheGBs']:.0f} GB/s in the second-level cache, "
                 f"{best['memoryGBs']:.1f} GB/s in memory.")
