@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Objects, shaders, frames and errors."""
 import math
+import os
+import subprocess
+import sys
 
 import numpy
 import openrt
@@ -186,6 +189,19 @@ def test_facts():
     assert openrt.instruction_set() in ("generic", "sse4", "avx2", "avx512", "neon")
     openrt.init(isa="generic")
     assert openrt.instruction_set() == "generic"
+
+
+@pytest.mark.parametrize("argument, expected", [("", os.cpu_count() + 1), ("threads=1", 1)])
+def test_threads_are_the_environments_where_the_program_says_none(argument, expected):
+    program = ("import openrt, pathlib, re\n"
+               f"openrt.init({argument})\n"
+               "openrt.render(openrt.FrameBuffer(16, 16))\n"
+               "names = (p.read_text() for p in pathlib.Path('/proc/self/task').glob('*/comm'))\n"
+               "print(sum(bool(re.match(r'openrt-\\d', name)) for name in names))\n")
+    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                            env={**os.environ, "OPENRT_THREADS": str(os.cpu_count() + 1)},
+                            check=True)
+    assert int(result.stdout) == expected
 
 
 def test_facts_without_a_context():

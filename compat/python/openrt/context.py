@@ -8,15 +8,17 @@ from . import frames
 from .binding import _library, ffi, listen, raw, text
 
 
-def init(threads: int = 0, isa: str | None = None) -> None:
+def init(threads: int | None = None, isa: str | None = None) -> None:
     """Starts with a fresh context, current on this thread. A second call ends the first one's.
 
-    threads: how many render, 0 to 1024; 0 = all cores. isa: "generic", "sse4", "avx2", "avx512" or
-    "neon", for the whole process; None: as before, at first the best that this machine has.
+    threads: how many render, 0 to 1024; 0 = all cores; None: as many as the environment variable
+    OPENRT_THREADS says, or all cores. isa: "generic", "sse4", "avx2", "avx512" or "neon", for the
+    whole process; None: as before, at first the best that this machine has.
     """
-    threads = operator.index(threads)
-    if not 0 <= threads <= 1024:
-        raise ValueError(f"threads are 0 to 1024, not {threads}")
+    if threads is not None:
+        threads = operator.index(threads)
+        if not 0 <= threads <= 1024:
+            raise ValueError(f"threads are 0 to 1024, not {threads}")
     if isa is not None and isa not in (names := text("RT_ISA_NAMES").split()):
         raise ValueError(f"isa is among {names} here, not {isa!r}")
     arguments = [b"python"]
@@ -26,7 +28,8 @@ def init(threads: int = 0, isa: str | None = None) -> None:
     argv = ffi.new("char *[]", kept + [ffi.NULL])
     _library.rtInit(ffi.new("int *", len(kept)), argv)
     listen()
-    raw.rtThreads(threads)
+    if threads is not None:
+        raw.rtThreads(threads)
 
 
 def exit() -> None:
