@@ -18,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIZE = "24x24"
 CPU_SECONDS = 300
 SECONDS = 1200  # for who waits for ever, on a machine that does other work
@@ -37,6 +38,11 @@ def positions(allocations, wanted):
 
 def limit_time():
     resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS))
+
+
+def is_sample(program):
+    """Beside the ports lie programs of the tests."""
+    return any(ROOT.glob(f"samples/*/{program.name}.c*"))
 
 
 def arguments_of(program, folder):
@@ -114,17 +120,13 @@ def main():
     binaries = arguments.build.resolve() / "bin"
     programs = sorted([*(binaries / "ports").glob("*"), *(binaries / "changing").glob("*"),
                        *binaries.glob("0[0-9]_*")])
-    programs = [p for p in programs if os.access(p, os.X_OK)]
+    programs = [p for p in programs if os.access(p, os.X_OK) and is_sample(p)]
     if arguments.samples:
         programs = [p for p in programs if p.name in arguments.samples]
-    questions = {"errors", "feedback", "fragments", "primitives", "queries", "state",
-                 "wrong_calls"}  # tests beside the samples
     entries = []
     with tempfile.TemporaryDirectory() as folder:
         samples = Samples(arguments.preload.resolve(), folder)
         for program in programs:
-            if program.name in questions:
-                continue
             entries.append(samples.try_program(program, arguments.whole))
             print(json.dumps(entries[-1]), flush=True)
     if arguments.json:
