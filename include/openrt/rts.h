@@ -2,8 +2,8 @@
 /* OpenRTS in C: what a shader is, what it may ask, and the descriptor that makes a class known.
  *
  * A shader never links against the library: everything it asks goes through the function table
- * of the RTSstate that it is given. Structures here only ever grow at their end, and say their
- * size first, so that a shader built against an older header keeps working.
+ * of the RTSstate that it is given. Structures that the library makes, and those that say their
+ * size, only ever grow at their end; the others stay: shaders built against older headers work.
  *
  * Spaces and units: positions and directions are in the space that instance matrices map to
  * (eye space with the projection matrix as camera, world space with a camera shader). Radiance
