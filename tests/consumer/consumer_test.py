@@ -122,6 +122,15 @@ def shader_libraries(work, installation):
         expect(shown("Wood", "wood") not in ("", "0 0 0"), "an installed library by its name")
 
 
+def programs(prefix):
+    """They find the library by themselves."""
+    environment = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
+    for program in sorted(prefix.glob("bin/*")):
+        result = subprocess.run([program, "--version"], env=environment, capture_output=True,
+                                text=True, check=False)
+        expect(result.returncode == 0, f"{program}: {result.stderr}")
+
+
 COMPONENTS = {"libopenrt-mpi0": {"libOpenRT-mpi.so.0"},
               "openrt-tools": {"openrt-trace", "openrt-cave", "openrt-xr"}}
 
@@ -200,6 +209,7 @@ def main(build, generator, cc, cxx, flags):
         prefix = work / "a prefix"
         run("cmake", "--install", build, "--prefix", str(prefix))
         guides(prefix)
+        programs(prefix)
         installation = Installation(prefix, cc, cxx, flags)
         headers(installation)
         program = installation.program("consumer.c", work / "by-pkg-config")
