@@ -2,7 +2,7 @@
 /* Shader classes, shaders and their parameters. Part of openrt/rt.h; how shaders are written is in
  * openrt/rts.h (C) and openrt/shader.hpp (C++).
  * A class says what is computed and which parameters there are; a shader is a class with values.
- * Shader 0 is the default surface: the current colour, nothing else, in this release. */
+ * Shader 0 is the default surface: OpenGL's fixed function, at the start the current colour. */
 #ifndef OPENRT_RT_SHADERS_H
 #define OPENRT_RT_SHADERS_H
 
