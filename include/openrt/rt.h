@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Ray tracing in the manner of OpenGL. C99, usable from C++. This header and those it includes are
- * the reference manual: each call says what it does, its errors, the threads that may call it, and
- * the release that brought it.
+ * the reference manual: each call says what it does, its errors, its threads and its release.
  *
  *   rt_core.h      start and end, contexts, errors, settings of the library
  *   rt_state.h     matrices, current values, enables, queries of state
@@ -43,7 +42,8 @@
  * Threads. "The context's" is the thread on which the context is current (rtMakeCurrent).
  *   Different contexts may be used by different threads at once.
  * Ids start at 1; 0 names a default. Ids of one context mean nothing in another.
- * Angles are in degrees. Matrices are column-major: m[12], m[13], m[14] is the translation.
+ * Units. Angles: degrees. Places and sizes in the window: pixels, from the lower left. Lengths: the
+ *   scene's own unit. Matrices are column-major: m[12], m[13], m[14] is the translation.
  * Frame rule. Instances, lights, camera, environment, rendering object and loose geometry are given
  *   anew for every frame. Objects, shaders, textures, the frame buffer and all other state last.
  */

@@ -29,8 +29,8 @@ RTAPI void RTAPIENTRY rtClear(RTbitfield mask);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtClearDepth(RTclampd depth);
 
-/* The rectangle that RT_SCISSOR_TEST leaves to be drawn; at the start the frame buffer. Not in an
- * object.
+/* The rectangle that RT_SCISSOR_TEST leaves to be drawn, in pixels from the lower left corner; at
+ * the start the frame buffer. Not in an object.
  * Errors:  RT_INVALID_VALUE  a negative size
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtScissor(RTint x, RTint y, RTsizei width, RTsizei height);
@@ -49,10 +49,10 @@ RTAPI void RTAPIENTRY rtDepthRange(RTclampd near_val, RTclampd far_val);
 RTAPI void RTAPIENTRY rtDrawBuffer(RTenum mode);
 RTAPI void RTAPIENTRY rtReadBuffer(RTenum mode);
 
-/* Reads a rectangle of the picture back. Renders what the bound scene was given so far, unless
- * nothing was added since the last time, and stores the rectangle; pixels outside of the frame
- * buffer stay as they are in `pixels`. The scene stays open. After rtRender, with nothing new, it
- * is that picture.
+/* Reads a rectangle of the picture back, in pixels from the lower left corner. Renders what the
+ * bound scene was given so far, unless nothing was added since the last time, and stores the
+ * rectangle; pixels outside of the frame buffer stay as they are in `pixels`. The scene stays open.
+ * After rtRender, with nothing new, it is that picture.
  *
  * Without rtSetFrameBuffer the picture is kept in memory of the library's, as large as the viewport
  * needs it, in 8 bits a channel. Formats: RT_RED, RT_GREEN, RT_BLUE, RT_ALPHA, RT_RGB, RT_RGBA,

@@ -54,10 +54,10 @@ extern "C" {
  * Since: 0.1 */
 RTAPI void RTAPIENTRY rtutInit(int *argcp, char **argv);
 
-/* Position, size and display mode of windows opened from now on. The mode (RTUT_RGBA | RTUT_SINGLE
- * at the start; RTUT_DOUBLE; RTUT_MULTISAMPLE enables RT_MULTISAMPLE; RTUT_INDEX is left out, the
- * rest is always there or ignored) is also given as a string, which asks for "double" or "single",
- * "samples"; the rest of it is ignored. Since: 0.1 */
+/* Position and size, in pixels, and display mode of windows opened from now on. The mode (RTUT_RGBA
+ * | RTUT_SINGLE at the start; RTUT_DOUBLE; RTUT_MULTISAMPLE enables RT_MULTISAMPLE; RTUT_INDEX is
+ * left out, the rest is always there or ignored) is also given as a string, which asks for "double"
+ * or "single", "samples"; the rest of it is ignored. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutInitDisplayMode(unsigned int mode);
 RTAPI void RTAPIENTRY rtutInitDisplayString(const char *string);
 RTAPI void RTAPIENTRY rtutInitWindowPosition(int x, int y);
@@ -88,8 +88,8 @@ RTAPI void RTAPIENTRY rtutDestroyWindow(int window);
 RTAPI void RTAPIENTRY rtutSetWindow(int window);
 RTAPI int RTAPIENTRY rtutGetWindow(void);
 
-/* Change the current window: off-screen rtutReshapeWindow alone has an effect. rtutPostRedisplay
- * asks for a call of the display callback. Since: 0.1 */
+/* Change the current window, in pixels: off-screen rtutReshapeWindow alone has an effect.
+ * rtutPostRedisplay asks for a call of the display callback. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutSetWindowTitle(const char *title);
 RTAPI void RTAPIENTRY rtutSetIconTitle(const char *title);
 RTAPI void RTAPIENTRY rtutReshapeWindow(int width, int height);
@@ -217,8 +217,8 @@ RTAPI void RTAPIENTRY rtutVideoPan(int x, int y, int width, int height);
 /* ---- Text ------------------------------------------------------------------------------- */
 
 /* Draws a character at the raster position and moves that on, as rtBitmap does. Fonts
- * RTUT_BITMAP_..., codes 32 to 126 and 160 to 255 (Latin-1); others draw nothing and are 0 wide.
- * Since: 0.1 */
+ * RTUT_BITMAP_..., codes 32 to 126 and 160 to 255 (Latin-1); others draw nothing and are 0 pixels
+ * wide. Since: 0.1 */
 RTAPI void RTAPIENTRY rtutBitmapCharacter(void *font, int character);
 RTAPI int RTAPIENTRY rtutBitmapWidth(void *font, int character);
 RTAPI int RTAPIENTRY rtutBitmapLength(void *font, const unsigned char *string);
