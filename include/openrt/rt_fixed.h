@@ -27,9 +27,9 @@ extern "C" {
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtShadeModel(RTenum mode);
 
-/* Properties of the lights RT_LIGHT0 to RT_LIGHT7. Positions and directions go through the
- * model-view matrix of the call. Each light that is enabled when a frame starts is also one of the
- * frame's lights, which programmable surfaces see. With rtEnable(RT_SHADOWS) lights cast shadows.
+/* Properties of the lights RT_LIGHT0 to RT_LIGHT7; RT_SPOT_CUTOFF is in degrees. Positions and
+ * directions go through the model-view matrix. Each light enabled when a frame starts is one of the
+ * frame's lights too, which programmable surfaces see; with rtEnable(RT_SHADOWS) it casts shadows.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtLightf(RTenum light, RTenum pname, RTfloat param);
 RTAPI void RTAPIENTRY rtLighti(RTenum light, RTenum pname, RTint param);
@@ -62,8 +62,8 @@ RTAPI void RTAPIENTRY rtGetMaterialiv(RTenum face, RTenum pname, RTint *params);
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtColorMaterial(RTenum face, RTenum mode);
 
-/* The fog of a frame: by the depth in eye space, and with a camera shader by the length of the ray; or, where
- * RT_FOG_COORDINATE_SOURCE says RT_FOG_COORDINATE, by the vertices' rtFogCoord.
+/* The fog of a frame: by the depth in units of eye space, with a camera shader by the length of the
+ * ray; or, where RT_FOG_COORDINATE_SOURCE says RT_FOG_COORDINATE, by the vertices' rtFogCoord.
  * Errors:  RT_INVALID_OPERATION  RT_FOG_INDEX
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtFogf(RTenum pname, RTfloat param);
@@ -174,7 +174,7 @@ RTAPI void RTAPIENTRY rtGetClipPlane(RTenum plane, RTdouble *equation);
 RTAPI void RTAPIENTRY rtCullFace(RTenum mode);
 RTAPI void RTAPIENTRY rtFrontFace(RTenum mode);
 
-/* How polygons, lines and points cover pixels. Points and lines are seen by camera rays only.
+/* How polygons, lines and points, which camera rays alone see, cover pixels; sizes are in pixels.
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtPolygonMode(RTenum face, RTenum mode);
 RTAPI void RTAPIENTRY rtPolygonOffset(RTfloat factor, RTfloat units);

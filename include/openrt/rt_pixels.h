@@ -44,8 +44,8 @@ RTAPI void RTAPIENTRY rtRasterPos4iv(const RTint *v);
 RTAPI void RTAPIENTRY rtRasterPos4fv(const RTfloat *v);
 RTAPI void RTAPIENTRY rtRasterPos4dv(const RTdouble *v);
 
-/* The raster position in coordinates of the window: always valid, z limited to 0 (the near end of
- * the depth range) to 1, the current colour without lighting.
+/* The raster position in pixels from the window's lower left corner: always valid, z limited to 0
+ * (the near end of the depth range) to 1, the current colour without lighting.
  * Errors:  RT_INVALID_VALUE  v NULL
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtWindowPos2s(RTshort x, RTshort y);
@@ -66,8 +66,8 @@ RTAPI void RTAPIENTRY rtWindowPos3fv(const RTfloat *v);
 RTAPI void RTAPIENTRY rtWindowPos3dv(const RTdouble *v);
 
 /* Draws the bits of a bitmap that are 1 in the raster position's colour. (xorig, yorig) of the
- * bitmap is at the raster position, which is moved by (xmove, ymove) then. `bitmap` NULL, or a
- * bitmap of no size, moves it only. Rows lie as rtPixelStore says, from the bottom.
+ * bitmap is at the raster position, which moves by (xmove, ymove) then; all are in pixels. `bitmap`
+ * NULL, or a bitmap of no size, moves it only. Rows lie as rtPixelStore says, from the bottom.
  * Errors:  RT_INVALID_VALUE  a negative size
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtBitmap(RTsizei width, RTsizei height, RTfloat xorig, RTfloat yorig,
@@ -85,7 +85,7 @@ RTAPI void RTAPIENTRY rtBitmap(RTsizei width, RTsizei height, RTfloat xorig, RTf
 RTAPI void RTAPIENTRY rtDrawPixels(RTsizei width, RTsizei height, RTenum format, RTenum type,
                                    const void *pixels);
 
-/* Size of the pixels that rtDrawPixels draws; a negative one turns the picture over. Starts at 1.
+/* Pixels of the window to one of rtDrawPixels; a negative number turns the picture over. Starts at 1.
  * Errors:  RT_INVALID_VALUE  not finite
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtPixelZoom(RTfloat xfactor, RTfloat yfactor);

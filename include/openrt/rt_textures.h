@@ -38,9 +38,9 @@ RTAPI RTboolean RTAPIENTRY rtIsTexture(RTuint texture);
 /* Gives a level of the bound texture its image: any size up to RT_MAX_TEXTURE_SIZE (16384) a side
  * for level 0 and half of that for each further one, the first row at the bottom, read from
  * `pixels` as rtPixelStore says. NULL: an image of zeros.
- *   internalFormat  1 to 4; RT_LUMINANCE, RT_LUMINANCE_ALPHA, RT_RGB, RT_RGBA and their sized
- *                   forms; RT_SRGB, RT_SRGB8, RT_SRGB_ALPHA, RT_SRGB8_ALPHA8: the colours, not
- *                   alpha, are sRGB-encoded
+ *   internalFormat  1 to 4; RT_ALPHA, RT_LUMINANCE, RT_LUMINANCE_ALPHA, RT_INTENSITY, RT_RGB,
+ *                   RT_RGBA, their sized and compressed forms (kept uncompressed); RT_SRGB,
+ *                   RT_SRGB8, RT_SRGB_ALPHA, RT_SRGB8_ALPHA8: colours, not alpha, in sRGB coding
  *   format          RT_RGB, RT_RGBA, RT_BGR, RT_BGRA, RT_LUMINANCE, RT_LUMINANCE_ALPHA, RT_RED,
  *                   RT_GREEN, RT_BLUE, RT_ALPHA
  *   type            whole numbers of 8, 16 and 32 bits, which stand for 0..1, signed ones for
