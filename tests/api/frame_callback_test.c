@@ -92,8 +92,12 @@ static void eventsOfFrames(void) {
 static RTuint cancelToo;
 static void cancelAtThird(RTuint frame, RTenum event, RTint x, RTint y, RTsizei w, RTsizei h,
                           void *user) {
+    int tiles;
     note(frame, event, x, y, w, h, user);
-    if (event == RT_FRAME_PROGRESS && heard[frame % 256].tiles >= 3) {
+    pthread_mutex_lock(&mutex);
+    tiles = heard[frame % 256].tiles;
+    pthread_mutex_unlock(&mutex);
+    if (event == RT_FRAME_PROGRESS && tiles >= 3) {
         rtCancelFrame(frame);
         rtCancelFrame(__atomic_load_n(&cancelToo, __ATOMIC_ACQUIRE));
     }

@@ -4,6 +4,7 @@
 
 usage: command_line.py OPENRT_CONFORMANCE LIBRARY ANOTHER_LIBRARY
 """
+import os
 import pathlib
 import shutil
 import subprocess
@@ -28,7 +29,10 @@ class CommandLine(unittest.TestCase):
         return result.stderr
 
     def test_library(self):
-        result = run("--library", LIBRARY, *ONE_CASE)
+        # Preloaded, it comes before the run-time library of the address sanitizer.
+        sanitizer = os.environ.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"
+        result = run("--library", LIBRARY, *ONE_CASE,
+                     env={**os.environ, "ASAN_OPTIONS": sanitizer})
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
     def test_what_ld_so_passes_over_is_refused(self):
