@@ -202,9 +202,6 @@ void onAnotherThread(const Calls& calls) {
 void inForkedChild(const Calls& calls) {
     startWithWindow();
     rtutSwapBuffers();
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    rtFinish(); // a thread that is not in the child may hold the sanitizer's locks for ever
-#endif
     const pid_t child = fork();
     if (child == 0) {
         alarm(30);
