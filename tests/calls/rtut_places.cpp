@@ -202,6 +202,9 @@ void onAnotherThread(const Calls& calls) {
 void inForkedChild(const Calls& calls) {
     startWithWindow();
     rtutSwapBuffers();
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    rtFinish(); // their allocators, unlike glibc's, are not held over a fork: a worker may be in them
+#endif
     const pid_t child = fork();
     if (child == 0) {
         alarm(30);
