@@ -92,6 +92,8 @@ RTAPI void RTAPIENTRY rtObjectHint(RTenum hint, RTenum value) {
             hints.quality = BuildQuality::DontCare;
         else if (hint == RT_BUILD_QUALITY && value == RT_FASTEST)
             hints.quality = BuildQuality::Fastest;
+        else if (hint == RT_BUILD_QUALITY && value == RT_KD_TREE)
+            hints.quality = BuildQuality::KdTree;
         else if (hint == RT_LAZY_BUILD && (value == RT_TRUE || value == RT_FALSE))
             hints.lazy = value == RT_TRUE;
         else

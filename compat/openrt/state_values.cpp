@@ -103,9 +103,13 @@ std::optional<StateValue> recorderValue(Recorder& recorder, RTenum name) {
     case RT_MAX_OBJECT_DEPTH: return number(kMaxLevels);
     case RT_OBJECT_INDEX: return number(recorder.openObject());
     case RT_BUILD_QUALITY:
-        return number(hints.quality == BuildQuality::Nicest    ? RT_NICEST
-                      : hints.quality == BuildQuality::Fastest ? RT_FASTEST
-                                                               : RT_DONT_CARE);
+        switch (hints.quality) {
+        case BuildQuality::Nicest: return number(RT_NICEST);
+        case BuildQuality::DontCare: return number(RT_DONT_CARE);
+        case BuildQuality::Fastest: return number(RT_FASTEST);
+        case BuildQuality::KdTree: return number(RT_KD_TREE);
+        }
+        return std::nullopt;
     case RT_LAZY_BUILD: return number(hints.lazy);
     default: return std::nullopt;
     }

@@ -104,6 +104,7 @@
 #define RT_ISA_NAMES 0x7F049      /* rtGetString: the instruction sets that can be used */
 #define RT_SHADER_FOLDERS 0x7F04A /* rtGetString: where shader libraries are looked for */
 #define RT_OBJECT_INDEX 0x7F04B   /* rtGetIntegerv: the object that is being defined; 0: none */
+#define RT_KD_TREE 0x7F04C        /* RT_BUILD_QUALITY: a kd-tree instead of a tree of boxes */
 
 /* Frames (rtFrameStatus, rtSetFrameCallback) */
 #define RT_QUEUED 0x7F050         /* no tile of the frame has been started */

@@ -143,20 +143,21 @@ RTAPI void RTAPIENTRY rtInstantiateObjectShader(RTuint object, RTuint shader);
 RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const RTuint *shaders);
 
 /* How objects are built; state, read by rtEndObject. Legal in objects.
- *   RT_BUILD_QUALITY  RT_NICEST, RT_DONT_CARE (start), RT_FASTEST
+ *   RT_BUILD_QUALITY  RT_NICEST, RT_DONT_CARE (start), RT_FASTEST, RT_KD_TREE
  *   RT_LAZY_BUILD     RT_TRUE, RT_FALSE (start)
- * RT_NICEST builds the kd-tree that the surface area heuristic finds best, exactly (Wald and
- * Havran, 2006), and, once enough camera rays have come, a tree of boxes with cut triangles beside
- * it. It takes by far the most time and memory. RT_FASTEST builds a tree of boxes along a
- * space-filling curve in linear time. RT_DONT_CARE builds a tree of boxes by the surface area
- * heuristic over bins (Wald, 2007); an object that is defined again, or updated, gets what pays:
- * the fast tree, unless the frames started since its last build had more than some eight rays a
- * triangle. Hits do not depend on any of this. After rtUpdateObject the tree of boxes of before is
- * fitted to the new positions (Lauterbach and others, 2006) until rays would take half as long
- * again as in a new one; there is no kd-tree then. Primitives outside objects get the fast tree,
- * and a better one once they stay. RT_LAZY_BUILD builds when the first ray reaches an instance of
- * the object: objects that no ray reaches have no tree. Threads that come meanwhile wait. If memory
- * runs out then, the frame fails with RT_OUT_OF_MEMORY; the next frame tries again.
+ * An object has one tree. RT_NICEST builds a tree of boxes by the surface area heuristic, in which
+ * triangles are cut where that pays (Stich and others, 2009). RT_DONT_CARE builds one over bins and
+ * cuts nothing (Wald, 2007); an object that is defined again, or updated, gets what pays: the fast
+ * tree, unless the frames started since its last build had more than some eight rays a triangle.
+ * RT_FASTEST builds a tree of boxes along a space-filling curve in linear time. RT_KD_TREE builds
+ * the kd-tree that the surface area heuristic finds best, exactly (Wald and Havran, 2006): something
+ * to compare with, for it takes longest to build and rays take longer in it. Hits do not depend on
+ * any of this. After rtUpdateObject the tree of boxes of before is fitted to the new positions
+ * (Lauterbach and others, 2006) until rays would take half as long again as in a new one; a kd-tree
+ * is built anew. Primitives outside objects get the fast tree, and a better one once they stay.
+ * RT_LAZY_BUILD builds when the first ray reaches an instance of the object: objects that no ray
+ * reaches have no tree. Threads that come meanwhile wait. If memory runs out then, the frame fails
+ * with RT_OUT_OF_MEMORY; the next frame tries again.
  * Errors:  RT_INVALID_ENUM  unknown hint, or value not one of the hint's
  * Threads: the context's. Since: 0.1 */
 RTAPI void RTAPIENTRY rtObjectHint(RTenum hint, RTenum value);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "libsmart/geometry/model_trees.h"
+#include "libsmart/geometry/model_tree.h"
 #include "libsmart/kernel/packet.h"
 
 namespace smart {
@@ -56,77 +56,52 @@ void TreeSizes::add(std::span<const WideNode> tree) {
     }
 }
 
-void TreeSizes::add(const TreeSizes& more) {
-    nodes += more.nodes;
-    leaves += more.leaves;
-    references += more.references;
-}
-
 Model::Model(std::shared_ptr<const ShadingData> shadingData,
              std::shared_ptr<const InstanceGroup> group, const ModelBuildOptions& options)
     : sharedShading(std::move(shadingData)), sharedChildren(std::move(group)),
-      trees_(std::make_unique<ModelTrees>(options)), counted_(options.memory, sizeof(Model)) {}
+      tree_(std::make_unique<ModelTree>(options)), counted_(options.memory, sizeof(Model)) {}
 
 Model::~Model() = default;
 
-const ModelView& Model::view() const { return trees_->view(); }
+const ModelView& Model::view() const { return tree_->view(); }
 double Model::reach() const {
-    return children.bounds().empty() ? trees_->reach() : kReachesCorners;
+    return children.bounds().empty() ? tree_->reach() : kReachesCorners;
 }
-const KdTree& Model::kdTree() const { return trees_->kdTree(); }
-uint64_t Model::treeEvents() const { return trees_->events(); }
-bool Model::treesBuilt() const { return trees_->built(); }
-TreeSizes Model::treeSizes() const { return trees_->sizes(); }
-std::size_t Model::ownBytes() const { return trees_->bytes() + std::size_t(counted_.bytes()); }
+const KdTree& Model::kdTree() const { return tree_->kdTree(); }
+uint64_t Model::treeEvents() const { return tree_->events(); }
+bool Model::treeBuilt() const { return tree_->built(); }
+TreeSizes Model::treeSizes() const { return tree_->sizes(); }
+std::size_t Model::ownBytes() const { return tree_->bytes() + std::size_t(counted_.bytes()); }
 
-void Model::buildTrees(const std::vector<Triangle>& from, const Model* old) {
+void Model::buildTree(const std::vector<Triangle>& from, const Model* old) {
     if (old)
-        trees_->makeMoved(from, *old->trees_);
+        tree_->makeMoved(from, *old->tree_);
     else
-        trees_->make(from);
-    droppedTriangles = trees_->dropped();
+        tree_->make(from);
+    droppedTriangles = tree_->dropped();
     for (const auto& child : children.traits()) {
         if (!child->model) continue;
         levels = std::max(levels, 1 + child->model->levels);
         drawsPixels |= child->model->drawsPixels;
     }
     assert(levels <= uint32_t(kMaxLevels));
-    bounds = trees_->bounds();
+    bounds = tree_->bounds();
     bounds.add(children.bounds());
 }
 
 void Model::show() {
     drawsPixels |= !pixels.empty();
     counted_.add(pixels.bytes());
-    trees_->show(triangles, children);
+    tree_->show(triangles, children);
 }
 
-// The flags keep models that are nested often, and deep, from being visited often.
+// The flag keeps models that are nested often, and deep, from being visited often.
 void Model::prepareFastRecords() const {
     if (recordsPrepared_.load(std::memory_order_acquire)) return;
     for (const auto& child : children.traits())
         if (child->model) child->model->prepareFastRecords();
-    trees_->prepareRecords();
+    tree_->prepareRecords();
     recordsPrepared_.store(true, std::memory_order_release);
-}
-
-void Model::prepareTiles() const {
-    if (tilesPrepared_.load(std::memory_order_acquire)) return;
-    for (const auto& child : children.traits())
-        if (child->model) child->model->prepareTiles();
-    trees_->prepareWideTree();
-    tilesPrepared_.store(true, std::memory_order_release);
-}
-
-bool Model::readyForTiles() const {
-    if (tilesPrepared_.load(std::memory_order_acquire)) return true;
-    const auto ready = [](const auto& child) {
-        return !child->model || child->model->readyForTiles();
-    };
-    if (!trees_->hasWideTree() || !std::ranges::all_of(children.traits(), ready))
-        return false;
-    tilesPrepared_.store(true, std::memory_order_release);
-    return true;
 }
 
 } // namespace smart

@@ -69,16 +69,15 @@ struct ShadingData {
     bool operator==(const ShadingData&) const = default;
 };
 
-/// Sizes of trees, of both kinds together.
+/// Sizes of a tree of either kind.
 struct TreeSizes {
     uint64_t nodes = 0, leaves = 0, references = 0;
 
     void add(const KdTree& tree);
     void add(std::span<const WideNode> tree);
-    void add(const TreeSizes& more);
 };
 
-class ModelTrees;
+class ModelTree;
 
 /// A compiled object: immutable, shared by scenes, frames and threads without locks.
 /// Made by ModelBuilder, and from another one by updateModel().
@@ -107,28 +106,22 @@ struct Model {
     const ModelView& view() const;
     /// How far all of it reaches into the corners of `bounds`; see cornerReach().
     double reach() const;
-    /// Empty where there is none: of a lazy model before the first ray, and where another tree was
-    /// asked for.
+    /// Empty where there is none: where another tree was asked for, and of a lazy model before the
+    /// first ray.
     const KdTree& kdTree() const;
     uint64_t treeEvents() const; ///< events the kd-tree's builder swept
     /// False for a lazy model that no ray has reached.
-    bool treesBuilt() const;
-    /// Of the trees over its own triangles that exist.
+    bool treeBuilt() const;
+    /// Of the tree over its own triangles, once it exists.
     TreeSizes treeSizes() const;
     /// Of its own, and with what it has in common with others.
     std::size_t ownBytes() const;
     std::size_t bytes() const { return ownBytes() + shading.bytes() + children.bytes(); }
 
     /// Makes the fast mode's records, here and in the models nested below, unless they exist; of a
-    /// lazy model with its trees. Thread-safe; traversal of this model in another mode may be
+    /// lazy model with its tree. Thread-safe; traversal of this model in another mode may be
     /// under way.
     void prepareFastRecords() const;
-    /// Makes what tiles of rays walk, here and in the models nested below, unless it exists. Until
-    /// then they walk the kd-tree. Thread-safe; traversal of this model may be under way, but for
-    /// tiles.
-    void prepareTiles() const;
-    /// Whether there is nothing left for prepareTiles() to do.
-    bool readyForTiles() const;
 
 private:
     friend class ModelBuilder;
@@ -137,18 +130,18 @@ private:
                                                     const ModelBuildOptions& options);
     /// Of triangles that become the model's later; and what follows from the children.
     /// old: the model that these have moved away from, if there is one.
-    void buildTrees(const std::vector<Triangle>& from, const Model* old = nullptr);
+    void buildTree(const std::vector<Triangle>& from, const Model* old = nullptr);
     /// The last step.
     void show();
 
-    std::unique_ptr<ModelTrees> trees_; ///< thread-safe where it is not const
+    std::unique_ptr<ModelTree> tree_; ///< thread-safe where it is not const
     CountedBytes counted_;
-    mutable std::atomic<bool> recordsPrepared_{false}, tilesPrepared_{false}; ///< nested ones too
+    mutable std::atomic<bool> recordsPrepared_{false}; ///< nested ones too
 };
 
 using ModelPtr = std::shared_ptr<const Model>;
 
-/// What kept the calling thread from building the trees of a lazy model that its rays reached; they
+/// What kept the calling thread from building the tree of a lazy model that its rays reached; they
 /// went through it then. nullptr: nothing, since the last call.
 std::exception_ptr takeBuildFailure() noexcept;
 

@@ -53,7 +53,7 @@ ModelPtr ModelBuilder::build(const ModelBuildOptions& options) && {
     const auto model = std::make_shared<Model>(
         std::shared_ptr<const ShadingData>(shared, &shared->value),
         std::shared_ptr<const InstanceGroup>(group, &group->value), options);
-    model->buildTrees(triangles);
+    model->buildTree(triangles);
     triangles.shrink_to_fit();
     shading.shrink();
 

@@ -20,7 +20,7 @@ public:
     InstanceList children;
 
     /// Compiles. A triangle that is not finite, or whose cross product is exactly zero (in exact
-    /// arithmetic), is left out of the trees, counted, and keeps its number.
+    /// arithmetic), is left out of the tree, counted, and keeps its number.
     ModelPtr build(const ModelBuildOptions& options = {}) &&;
 };
 

@@ -62,7 +62,7 @@ ModelPtr updateModel(const Model& old, uint32_t first, uint32_t count, const flo
     move(model->triangles, old.shading.corners, moved, options.threads);
     model->pixels = old.pixels;
     move(model->pixels, moved);
-    model->buildTrees(model->triangles, &old);
+    model->buildTree(model->triangles, &old);
     model->show();
     model->buildSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

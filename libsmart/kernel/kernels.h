@@ -29,8 +29,8 @@ struct KernelTable {
     void (*intersect1[kPrecisionCount])(const ModelView&, const Ray&, Hit&);
     bool (*occluded1[kPrecisionCount])(const ModelView&, const Ray&);
     /// The same for `count` packets, up to four, that lie close together: fastest where all their
-    /// rays come from one point, or occluded where all head for one, and all models that they may
-    /// reach have been prepared for tiles; the same hits in any case.
+    /// rays come from one point, or occluded where all head for one, in models with wide trees; the
+    /// same hits in any case.
     void (*intersectTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,
                                            HitPacket*);
     void (*occludedTile[kPrecisionCount])(const ModelView&, const RayPacket*, uint32_t count,

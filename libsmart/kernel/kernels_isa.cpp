@@ -47,7 +47,6 @@ template <template <int> class Precision, int N, HitMode M, class Counter>
 uint32_t prepare(const ModelView& scene, const RayArrays& in, typename Precision<N>::Rays& rays,
                  WorldRays<N>& world, Search<N, M, Counter>& query) {
     query.lastOfEqual = scene.lastOfEqual != 0;
-    query.wideReady = scene.wideReady != 0;
     if constexpr (kIsPrecise<Precision>)
         return preparePreciseRays<N, M, Counter>(scene, in.org, in.dir, in.tNear, in.tFar,
                                                  in.active, rays, world, query);
@@ -277,7 +276,6 @@ void runTile(const ModelView& scene, const RayPacket* packets, uint32_t count,
         if (v % 2 == 0) prefetchBehind(packets, count, v);
         const RayArrays in(packets[v]);
         query[v].lastOfEqual = scene.lastOfEqual != 0;
-        query[v].wideReady = scene.wideReady != 0;
         legal.of[v] = prepareRays<kPacketSize, M, NoCounts>(
             in.org, in.dir, in.tNear, in.tFar, in.active, tile.rays[v], world.scale, query[v]);
     }

@@ -19,13 +19,11 @@ public:
     /// Brings the query up to date with a model and what is nested in it, as SceneTraversal does.
     static void model(const ModelView& model, const Rays& rays, uint32_t lanes, Query& query) {
         lanes = live(query, lanes);
-        const bool hasTriangles = model.tree.nodes || model.wide.nodes;
-        const bool walksWide = (query.wideReady || !model.tree.nodes) && model.wide.nodes;
-        if (__builtin_popcount(lanes) <= kFewRays || (hasTriangles && !walksWide)) {
+        if (__builtin_popcount(lanes) <= kFewRays || model.tree.nodes) {
             SceneTraversal<Precision, N, M, NoCounts>::oneByOne(model, rays, lanes, query);
             return;
         }
-        if (walksWide) triangles(model, rays, lanes, query);
+        if (model.wide.nodes) triangles(model, rays, lanes, query);
         if (model.childTree.nodes)
             children(model, rays, live(query, lanes), query);
         else

@@ -81,8 +81,7 @@ private:
 inline const ModelView* streamedModel(const ModelView& scene) {
     if (scene.childCount != 1 || !scene.children[0].model) return nullptr;
     const ModelView& model = reached(scene.children[0]);
-    const bool walksWide = (scene.wideReady || !model.tree.nodes) && model.wide.nodes;
-    return model.childCount == 0 && walksWide ? &model : nullptr;
+    return model.childCount == 0 && model.wide.nodes ? &model : nullptr;
 }
 
 /// Finds which triangles of the streamed model are hit, or fills `blocked`.

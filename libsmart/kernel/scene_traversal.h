@@ -88,7 +88,7 @@ public:
 
     static void model(const ModelView& model, const Rays& rays, uint32_t lanes,
                       Query& query) {
-        const bool wide = walksWide(model, query), kd = !wide && model.tree.nodes;
+        const bool wide = model.wide.nodes, kd = model.tree.nodes;
         if (!wide && !kd && !model.childTree.nodes) {
             for (uint32_t i = 0; i < model.childCount; ++i)
                 child(model, i, rays, live(query, lanes), query);
@@ -211,10 +211,6 @@ public:
 private:
     /// So few rays of a packet go down wide trees one by one.
     static constexpr int kFewRays = 3;
-
-    static bool walksWide(const ModelView& model, const Query& query) {
-        return (query.wideReady || !model.tree.nodes) && model.wide.nodes;
-    }
 
     static uint32_t live(const Query& query, uint32_t lanes) {
         return M == HitMode::Any ? lanes & ~query.blocked : lanes;

@@ -64,7 +64,6 @@ struct alignas(64) Search {
     HitList* all = nullptr;              ///< HitMode::All: where the hits go
     uint32_t firstLane = 0;              ///< ... as the first lane's of these
     bool lastOfEqual = false;            ///< as ModelView has it
-    bool wideReady = false;              ///< as ModelView has it
 
     uint32_t currentPath[kMaxLevels];
     uint32_t currentLevels = 0;

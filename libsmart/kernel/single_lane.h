@@ -54,7 +54,6 @@ public:
             query.world = &world_;
         }
         query.lastOfEqual = packet.lastOfEqual;
-        query.wideReady = packet.wideReady;
         query.currentLevels = packet.currentLevels;
         for (uint32_t l = 0; l < packet.currentLevels; ++l)
             query.currentPath[l] = packet.currentPath[l];

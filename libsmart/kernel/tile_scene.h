@@ -30,7 +30,7 @@ public:
         RayGroup group{};
         TileLanes same;
         while (groups.next(group, same)) {
-            if ((own && !model.wide.nodes) || same.count() < kLeastRays) {
+            if (model.tree.nodes || same.count() < kLeastRays) {
                 packets(model, tile, same, query);
                 continue;
             }

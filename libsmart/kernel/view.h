@@ -72,17 +72,12 @@ struct ModelView {
     const Triangle* triangles;
     const TriangleRecord* records; ///< nullptr unless a frame in fast mode asked for them
     KdView tree;
-    /// Also over the triangles. Where there is a kd-tree, set once the model has been prepared for
-    /// tiles, perhaps while rays of other scenes walk the kd-tree: see wideReady.
-    WideView wide;
+    WideView wide; ///< over the triangles too: a model has the one or the other
     const InstanceView* children;
     WideView childTree;
     /// 0 where no child can be hit. One child needs no tree: childTree.nodes is nullptr then, while
     /// childTree's box still holds.
     uint32_t childCount;
-    /// Of a scene, not 0: every model that its rays may reach has been prepared, and of two trees
-    /// they walk the wide one. 0: the kd-tree, where there is one.
-    uint32_t wideReady;
     /// Of a scene, not 0: of hits at equal distance the last one counts, not the first.
     uint32_t lastOfEqual;
     /// nullptr unless rays are to ask for the view to walk. All but trees and records is here.

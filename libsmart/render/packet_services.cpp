@@ -51,11 +51,6 @@ void RayServices::findHits(RayGroup& rays, uint32_t lanes) const {
 }
 
 void RayServices::findTileHits(RayBlock& block, const uint32_t* lanes) const {
-    if (!frame_.scene->readyForTiles(kTilePackets * uint32_t(kPacketSize))) {
-        for (uint32_t p = 0; p < kTilePackets; ++p)
-            if (lanes[p]) findHits(block.groups[p], lanes[p]);
-        return;
-    }
     for (uint32_t p = 0; p < kTilePackets; ++p) block.rays[p].active = lanes[p];
     kernels_.intersectTile[precision_](frame_.scene->view(), block.rays, kTilePackets, block.hits);
 }
@@ -71,17 +66,16 @@ uint32_t RayServices::findOccluded(const RayPacket& rays) const {
         return isOccluded(ray) ? rays.active : 0;
     }
     uint32_t blocked = 0;
-    if (frame_.scene->readyForTiles(0)) // for rays to a point light
-        kernels_.occludedTile[precision_](frame_.scene->view(), &rays, 1, &blocked);
-    else
-        kernels_.occluded[precision_](frame_.scene->view(), rays, blocked);
+    // They may go to a point light.
+    kernels_.occludedTile[precision_](frame_.scene->view(), &rays, 1, &blocked);
     return blocked & rays.active;
 }
 
 void RayServices::findOccluded(const RayPacket* rays, uint32_t count, uint32_t* blocked) const {
-    if (count > 1 && frame_.scene->readyForTiles(0))
-        return kernels_.occludedTile[precision_](frame_.scene->view(), rays, count, blocked);
-    for (uint32_t p = 0; p < count; ++p) blocked[p] = findOccluded(rays[p]);
+    if (count > 1)
+        kernels_.occludedTile[precision_](frame_.scene->view(), rays, count, blocked);
+    else if (count == 1)
+        blocked[0] = findOccluded(rays[0]);
 }
 
 const HitChain& RayServices::chainTo(const Hit& hit) {

@@ -232,7 +232,6 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
                    std::size_t count, Coherence coherence) {
     const FpEnvironment standard;
     const int precision = int(scene.precision());
-    const bool tiled = scene.readyForTiles(count);
     const RayReader reader(rays);
     const HitWriter writer(scene, reader, hits);
     if (count == 1) {
@@ -254,15 +253,11 @@ void intersectRays(const Scene& scene, const RayStream& rays, const HitStream& h
         }
         return;
     }
-    const auto intersect16 = kernels().intersect[precision];
     const auto intersectTile = kernels().intersectTile[precision];
     HitPacket found[kTilePackets];
     forEachTile(reader, count, [&](const RayPacket* packets, uint32_t used, std::size_t first,
                                    std::size_t lanes) {
-        if (tiled)
-            intersectTile(scene.view(), packets, used, found);
-        else
-            for (uint32_t p = 0; p < used; ++p) intersect16(scene.view(), packets[p], found[p]);
+        intersectTile(scene.view(), packets, used, found);
         for (uint32_t p = 0; p < used; ++p) {
             const std::size_t done = p * kLanes;
             writer.write(first + done, std::min(kLanes, lanes - done), found[p]);
@@ -286,7 +281,6 @@ void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, st
                  Coherence coherence) {
     const FpEnvironment standard;
     const int precision = int(scene.precision());
-    const bool tiled = scene.readyForTiles(count);
     const RayReader reader(rays);
     if (count == 1) {
         blocked[0] = kernels().occluded1[precision](scene.view(), reader.ray(0));
@@ -304,15 +298,11 @@ void occludeRays(const Scene& scene, const RayStream& rays, uint8_t* blocked, st
         }
         return;
     }
-    const auto occluded16 = kernels().occluded[precision];
     const auto occludedTile = kernels().occludedTile[precision];
     forEachTile(reader, count, [&](const RayPacket* packets, uint32_t used, std::size_t first,
                                    std::size_t lanes) {
         uint32_t masks[kTilePackets] = {};
-        if (tiled)
-            occludedTile(scene.view(), packets, used, masks);
-        else
-            for (uint32_t p = 0; p < used; ++p) occluded16(scene.view(), packets[p], masks[p]);
+        occludedTile(scene.view(), packets, used, masks);
         writeBits(masks, lanes, blocked + first);
     });
 }

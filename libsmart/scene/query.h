@@ -34,7 +34,7 @@ struct HitStream {
 
 enum class Coherence { Coherent, Incoherent };
 
-/// Rays that reach a lazy model build its trees. What keeps them from that, such as a lack of
+/// Rays that reach a lazy model build its tree. What keeps them from that, such as a lack of
 /// memory, is thrown at the end; rays went through the model then.
 void intersect(const Scene&, const RayStream&, const HitStream&, std::size_t count, Coherence);
 /// blocked[i] = 1 or 0

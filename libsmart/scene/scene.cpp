@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/scene/scene.h"
 
-#include <algorithm>
 #include <chrono>
 #include <unordered_set>
 #include <utility>
@@ -60,38 +59,7 @@ Scene::Scene(InstanceList instances, Precision precision, unsigned threads, bool
         for (const auto& traits : group_.traits())
             if (traits->model) traits->model->prepareFastRecords();
     }
-    if (modelsAreReady()) prepareTiles();
     buildSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-bool Scene::modelsAreReady() const {
-    return std::ranges::all_of(group_.traits(), [](const auto& traits) {
-        return !traits->model || traits->model->readyForTiles();
-    });
-}
-
-void Scene::prepareTiles() const {
-    if (precision_ == Precision::Precise) return;
-    std::call_once(tilesOnce_, [this] {
-        for (const auto& traits : group_.traits())
-            if (traits->model) traits->model->prepareTiles();
-        preparedView_ = view_;
-        preparedView_.wideReady = 1;
-        tilesReady_.store(true, std::memory_order_release);
-    });
-}
-
-bool Scene::readyForTiles(uint64_t rays) const {
-    if (tilesReady_.load(std::memory_order_acquire)) return true;
-    if (precision_ == Precision::Precise) return false;
-    constexpr uint64_t kPrimitivesOfRay = 4;
-    std::call_once(tilesPayOnce_, [this] {
-        const SceneStatistics sizes = smart::statistics(*this);
-        tilesPay_ = (sizes.triangles + sizes.instances) / kPrimitivesOfRay;
-    });
-    if (tileRays_.fetch_add(rays, std::memory_order_relaxed) + rays < tilesPay_) return false;
-    prepareTiles();
-    return true;
 }
 
 SceneStatistics statistics(const Scene& scene) {

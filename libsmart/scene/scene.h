@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "libsmart/geometry/instance_group.h"
@@ -22,32 +20,14 @@ public:
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
-    /// Whether tiles of rays (KernelTable::intersectTile, occludedTile) may be traced; `rays` of
-    /// them are about to be. What tiles walk is made when so many have come that it pays: one for
-    /// four triangles. Until then, and always in precise mode, packets are traced. Thread-safe.
-    bool readyForTiles(uint64_t rays) const;
-    /// Makes it at once.
-    void prepareTiles() const;
-
     const InstanceGroup& group() const { return group_; }
-    /// Once tiles may be traced, rays of any kind walk what they walk: ModelView::wideReady.
-    const ModelView& view() const {
-        return tilesReady_.load(std::memory_order_acquire) ? preparedView_ : view_;
-    }
+    const ModelView& view() const { return view_; }
     Precision precision() const { return precision_; }
     double buildSeconds() const { return buildSeconds_; } ///< of the top level
 
 private:
-    /// Whether prepareTiles() has nothing to make.
-    bool modelsAreReady() const;
-
     InstanceGroup group_;
     ModelView view_{};
-    mutable ModelView preparedView_{}; ///< once tilesReady_
-    mutable std::once_flag tilesOnce_, tilesPayOnce_;
-    mutable std::atomic<bool> tilesReady_{false};
-    mutable std::atomic<uint64_t> tileRays_{0};
-    mutable uint64_t tilesPay_ = 0; ///< from so many rays on
     Precision precision_;
     double buildSeconds_ = 0;
 };

@@ -12,7 +12,8 @@ namespace {
 /// The library's scene for a geometry, and the numbers of its triangles.
 class OpenrtScene {
 public:
-    OpenrtScene(const Geometry& geometry, int mode) : scene_(place(geometry), Precision(mode), 2) {
+    OpenrtScene(const Geometry& geometry, int mode, BuildQuality quality = BuildQuality::Nicest)
+        : scene_(place(geometry, quality), Precision(mode), 2) {
         uint32_t next = 0;
         for (const Placement& placement : geometry.placements) {
             first_.push_back(next);
@@ -36,9 +37,9 @@ public:
     }
 
 private:
-    static std::vector<Instance> place(const Geometry& geometry) {
+    static std::vector<Instance> place(const Geometry& geometry, BuildQuality quality) {
         std::vector<ModelPtr> models;
-        for (const auto& mesh : geometry.meshes) models.push_back(makeModel(mesh));
+        for (const auto& mesh : geometry.meshes) models.push_back(makeModel(mesh, {}, quality));
         std::vector<Instance> instances;
         for (const Placement& placement : geometry.placements) {
             glm::dmat4x3 matrix(1.0);
@@ -100,7 +101,7 @@ private:
 class OneSidedEngine final : public Engine {
 public:
     explicit OneSidedEngine(const Geometry& geometry)
-        : whole_(geometry, int(Precision::Watertight)), broken_(whole_.scene()) {}
+        : whole_(geometry, int(Precision::Watertight), BuildQuality::KdTree), broken_(whole_.scene()) {}
 
     void trace(std::span<const Ray> rays, Claim* claims) const override {
         const std::vector<Hit> hits =

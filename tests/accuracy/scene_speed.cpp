@@ -112,7 +112,6 @@ SceneSpeed measureScene(const SpeedOptions& options) {
                                                          Precision(mode), options.buildThreads);
         if (mode == int(Precision::Watertight)) watertight = scene;
         if (mode == int(Precision::Precise)) precise = scene;
-        if (Precision(mode) != Precision::Precise) scene->prepareTiles();
         for (bench::EnginePtr& engine :
              bench::openrtEngines(scene, Precision(mode), Coherence::Coherent, false))
             for (const char* form : {" packet", " tile", " single"})

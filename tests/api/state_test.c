@@ -162,6 +162,8 @@ int main(void) {
     rtObjectHint(RT_BUILD_QUALITY, RT_FASTEST);
     rtObjectHint(RT_LAZY_BUILD, RT_TRUE);
     CHECK(integerIs(RT_BUILD_QUALITY, RT_FASTEST) && integerIs(RT_LAZY_BUILD, RT_TRUE));
+    rtObjectHint(RT_BUILD_QUALITY, RT_KD_TREE);
+    CHECK(integerIs(RT_BUILD_QUALITY, RT_KD_TREE));
     CHECK_ERROR(RT_NO_ERROR);
     rtExit();
     return failureCount;

@@ -357,12 +357,13 @@ TEST_P(UpdateObject, FramesUnderWayShowTheStateAtTheirStart) {
 INSTANTIATE_TEST_SUITE_P(
     Hints, UpdateObject,
     ::testing::Combine(::testing::Values(RTenum(RT_NICEST), RTenum(RT_DONT_CARE),
-                                         RTenum(RT_FASTEST)),
+                                         RTenum(RT_FASTEST), RTenum(RT_KD_TREE)),
                        ::testing::Values(RTenum(RT_FALSE), RTenum(RT_TRUE))),
     [](const auto& hints) {
         const RTenum quality = std::get<0>(hints.param);
         return std::string(quality == RT_NICEST    ? "Nicest"
                            : quality == RT_FASTEST ? "Fastest"
+                           : quality == RT_KD_TREE ? "KdTree"
                                                    : "DontCare") +
                (std::get<1>(hints.param) == RT_TRUE ? "Lazy" : "AtOnce");
     });

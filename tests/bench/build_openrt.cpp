@@ -82,7 +82,6 @@ protected:
 
     void enclose(const Aabb& box) {
         static_cast<BoxView&>(scene_.childTree) = makeBoxView(box);
-        scene_.wideReady = 1;
     }
 
     ModelView model_{};

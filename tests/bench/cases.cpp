@@ -334,7 +334,6 @@ std::vector<CaseSeries> measureCases(Precision precision, uint32_t size, unsigne
         if (!scene) {
             BuildReport report;
             scene = buildOpenrt(*one.triangles, precision, 1, report);
-            if (precision != Precision::Precise) prepareTiles(*scene);
         }
         for (const Query query : {Query::Closest, Query::Any})
             all.push_back(measureCase(one, scene, query, repeats));

@@ -18,7 +18,7 @@ import tempfile
 SKIPPED = 77
 TOLERANCE = 0.03
 ISA = "sse4"
-WORKLOADS = ["Build", "TileBuild", "Primary", "Shadow", "Ao", "Bounce", "Precise", "Frame"]
+WORKLOADS = ["Build", "KdBuild", "Primary", "Shadow", "Ao", "Bounce", "Precise", "Frame"]
 
 
 def count(program, again):

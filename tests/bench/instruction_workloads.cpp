@@ -66,7 +66,7 @@ void render(const Frame& frame, const Tracer& tracer, std::size_t again) {
 // What is counted: each from its call to its return.
 extern "C" {
 void countedBuild(const std::vector<Triangle>* triangles, ScenePtr* scene);
-void countedTileBuild(const Scene* scene);
+void countedKdBuild(const std::vector<Triangle>* triangles);
 void countedPrimary(const ScenePtr* scene, const bench::RaySet* rays, std::size_t again);
 void countedShadow(const ScenePtr* scene, const bench::RaySet* rays, std::size_t again);
 void countedAo(const ScenePtr* scene, const bench::RaySet* rays, std::size_t again);
@@ -78,8 +78,9 @@ void countedFrame(const Frame* frame, const Tracer* tracer, std::size_t again);
     bench::BuildReport report;
     *scene = bench::buildOpenrt(*triangles, Precision::Watertight, 1, report);
 }
-[[gnu::noinline]] void countedTileBuild(const Scene* scene) {
-    bench::prepareTiles(*scene);
+[[gnu::noinline]] void countedKdBuild(const std::vector<Triangle>* triangles) {
+    bench::BuildReport report;
+    bench::buildOpenrt(*triangles, Precision::Watertight, 1, report, BuildQuality::KdTree);
 }
 [[gnu::noinline]] void countedPrimary(const ScenePtr* scene, const bench::RaySet* rays,
                                       std::size_t again) {
@@ -118,7 +119,7 @@ int main(int argc, char** argv) {
     ScenePtr scene;
     for (int build = 0; build < (again > 0 ? 2 : 1); ++build) {
         countedBuild(&triangles, &scene);
-        countedTileBuild(scene.get());
+        countedKdBuild(&triangles);
     }
     const bench::RaySet primary = bench::primaryRays(view, kSize);
     const std::vector<bench::SurfacePacket> points =

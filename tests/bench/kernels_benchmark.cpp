@@ -23,10 +23,8 @@ struct Fixture {
 
     Fixture() : triangles(test::bumpySphere(20'000)) {
         bench::BuildReport report;
-        for (int mode = 0; mode < kPrecisionCount; ++mode) {
+        for (int mode = 0; mode < kPrecisionCount; ++mode)
             scenes[mode] = bench::buildOpenrt(triangles, Precision(mode), 1, report);
-            if (Precision(mode) != Precision::Precise) bench::prepareTiles(*scenes[mode]);
-        }
         const bench::View view;
         primary = bench::primaryRays(view, 256);
         const std::vector<bench::SurfacePacket> points = bench::surfacePoints(

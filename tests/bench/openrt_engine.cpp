@@ -182,11 +182,12 @@ private:
 } // namespace
 
 ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision, unsigned threads,
-                     BuildReport& report) {
+                     BuildReport& report, BuildQuality quality) {
     ModelBuilder builder;
     builder.triangles = triangles;
     const auto start = std::chrono::steady_clock::now();
     ModelBuildOptions options;
+    options.quality = quality;
     options.threads = threads;
     Instance instance;
     instance.model = std::move(builder).build(options);
@@ -197,17 +198,6 @@ ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report.bytes = bytes + scene->group().bytes();
     return scene;
-}
-
-BuildReport prepareTiles(const Scene& scene) {
-    const std::size_t before = statistics(scene).bytes;
-    const auto start = std::chrono::steady_clock::now();
-    scene.prepareTiles();
-    BuildReport report;
-    report.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    report.bytes = statistics(scene).bytes - before;
-    return report;
 }
 
 EnginePtr preciseEngine(const ScenePtr& scene) {

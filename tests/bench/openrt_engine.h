@@ -9,10 +9,7 @@ namespace smart::bench {
 
 /// A scene of one instance, built by `threads`.
 ScenePtr buildOpenrt(const std::vector<Triangle>& triangles, Precision precision, unsigned threads,
-                     BuildReport& report);
-
-/// Makes what tiles of rays walk; seconds and bytes of that alone.
-BuildReport prepareTiles(const Scene& scene);
+                     BuildReport& report, BuildQuality quality = BuildQuality::Nicest);
 
 /// Packets, single rays and the public query for rays of that coherence, and tiles where they are
 /// coherent, with the kernels that are selected now.

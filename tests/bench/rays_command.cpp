@@ -25,7 +25,7 @@ struct Options {
     uint32_t size = 1024;
     unsigned threads = 1, repeat = 5;
     uint64_t seed = 1;
-    bool plantError = false;
+    bool plantError = false, kdTree = false;
 
     bool wants(Kind kind) const {
         return kinds.empty() || std::find(kinds.begin(), kinds.end(), nameOf(kind)) != kinds.end();
@@ -94,10 +94,10 @@ int run(const Options& options) {
     report.limits = measureLimits();
     showProgress("building");
     BuildReport built;
-    const ScenePtr scene = buildOpenrt(triangles, precision, options.threads, built);
+    const ScenePtr scene =
+        buildOpenrt(triangles, precision, options.threads, built,
+                    options.kdTree ? BuildQuality::KdTree : BuildQuality::Nicest);
     report.builds.push_back({"openrt", options.threads, built});
-    if (precision != Precision::Precise)
-        report.builds.push_back({"openrt, wide tree beside it", 1, prepareTiles(*scene)});
     std::vector<EnginePtr> peers;
 #ifdef OPENRT_BENCH_EMBREE
     if (wantsEmbree(options.peers)) peers = embreeEngines(triangles, options.threads, options.isa);
@@ -146,6 +146,7 @@ Run addRays(CLI::App& app) {
         ->check(CLI::IsMember({"primary", "shadow", "ao", "bounce"}));
     app.add_option("--seed", options->seed, "of the places in pixels and of diffuse rays")
         ->capture_default_str();
+    app.add_flag("--kd-tree", options->kdTree, "ours in the kd-tree, not in the best tree of boxes");
     app.add_flag("--plant-error", options->plantError,
                  "name wrong triangles now and then, to prove the comparison");
     return [options] { return run(*options); };

@@ -58,9 +58,7 @@ ScenePtr litByFixedFunction(const Scene& scene, const View& view) {
         instance.state = state;
         instances.add(std::move(instance));
     }
-    auto lit = std::make_shared<const Scene>(std::move(instances), scene.precision(), 1);
-    lit->prepareTiles();
-    return lit;
+    return std::make_shared<const Scene>(std::move(instances), scene.precision(), 1);
 }
 
 constexpr const char* kFixedFunctionLighting = "fixed function, lit, with shadows";
@@ -281,7 +279,6 @@ FrameReport measureFrames(const std::vector<Triangle>& triangles, const View& vi
     progress("building");
     BuildReport built;
     const ScenePtr scene = buildOpenrt(triangles, Precision::Watertight, threads, built);
-    scene->prepareTiles();
     PackedRays rays;
     rays.primary = primaryRays(view, size);
     rays.shadow = shadowRays(view, surfacePoints(rays.primary, scene->view(), triangles));

@@ -8,11 +8,40 @@
 
 namespace smart::test {
 
-ModelPtr makeModel(std::vector<Triangle> triangles, std::vector<Instance> children) {
+ModelPtr makeModel(std::vector<Triangle> triangles, std::vector<Instance> children,
+                   BuildQuality quality) {
     ModelBuilder builder;
     builder.triangles = std::move(triangles);
     builder.children = std::move(children);
-    return std::move(builder).build();
+    return std::move(builder).build({.quality = quality});
+}
+
+namespace {
+
+/// Models that are placed several times are made once.
+std::vector<Instance> withKdTrees(std::span<const Instance> instances,
+                                  std::map<ModelPtr, ModelPtr>& made) {
+    std::vector<Instance> result(instances.begin(), instances.end());
+    for (Instance& instance : result) {
+        if (!instance.model) continue;
+        ModelPtr& model = made[instance.model];
+        if (!model) {
+            std::vector<Instance> children;
+            for (const InstanceView& child : instance.model->children.instances())
+                children.push_back(asGiven(child));
+            model = makeModel(instance.model->triangles, withKdTrees(children, made),
+                              BuildQuality::KdTree);
+        }
+        instance.model = model;
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<Instance> withKdTrees(std::span<const Instance> instances) {
+    std::map<ModelPtr, ModelPtr> made;
+    return withKdTrees(instances, made);
 }
 
 Instance place(ModelPtr model, const glm::dmat4x3& toParent) {
@@ -23,7 +52,7 @@ Instance place(ModelPtr model, const glm::dmat4x3& toParent) {
 }
 
 TracedScene::TracedScene(std::vector<Instance> instances, Precision precision)
-    : scene_(std::move(instances), precision, 1) {
+    : scene_(withKdTrees(instances), precision, 1), wide_(std::move(instances), precision, 1) {
     std::vector<uint32_t> path;
     std::vector<Matrix34> chain;
     for (const InstanceView& instance : scene_.group().instances()) {
@@ -31,14 +60,6 @@ TracedScene::TracedScene(std::vector<Instance> instances, Precision precision)
         addToReference(instance, path, chain);
         path.pop_back();
     }
-}
-
-ModelView TracedScene::wideView() const {
-    for (const auto& traits : scene_.group().traits())
-        if (traits->model) traits->model->prepareTiles();
-    ModelView view = scene_.view();
-    view.wideReady = 1;
-    return view;
 }
 
 void TracedScene::addToReference(const InstanceView& instance, std::vector<uint32_t>& path,

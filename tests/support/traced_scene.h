@@ -14,8 +14,11 @@
 
 namespace smart::test {
 
-ModelPtr makeModel(std::vector<Triangle> triangles, std::vector<Instance> children = {});
+ModelPtr makeModel(std::vector<Triangle> triangles, std::vector<Instance> children = {},
+                   BuildQuality quality = BuildQuality::Nicest);
 Instance place(ModelPtr model, const glm::dmat4x3& toParent = glm::dmat4x3(1.0));
+/// The same with kd-trees in all models, nested ones too.
+std::vector<Instance> withKdTrees(std::span<const Instance> instances);
 
 class TracedScene {
 public:
@@ -25,9 +28,10 @@ public:
     explicit TracedScene(std::vector<Instance> instances,
                          Precision precision = Precision::Watertight);
 
+    /// With kd-trees in all models.
     const ModelView& view() const { return scene_.view(); }
-    /// The same with wide trees in all models, which rays prefer to kd-trees.
-    ModelView wideView() const;
+    /// With the trees that the models were given with.
+    const ModelView& wideView() const { return wide_.view(); }
     const Scene& scene() const { return scene_; }
     const ExactReference& reference() const { return reference_; }
     /// The hit in the reference's numbers; a path that does not exist gives a number out of range.
@@ -41,7 +45,7 @@ private:
     void addToReference(const InstanceView& instance, std::vector<uint32_t>& path,
                         std::vector<Matrix34>& chain);
 
-    Scene scene_;
+    Scene scene_, wide_;
     ExactReference reference_;
     std::map<std::vector<uint32_t>, uint32_t> firstNumber_; ///< of the model at a path
 };

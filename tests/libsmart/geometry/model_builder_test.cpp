@@ -14,6 +14,8 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
+const ModelBuildOptions kKdTree{.quality = BuildQuality::KdTree};
+
 template <class Tree>
 std::set<uint32_t> referenced(const Tree& tree) {
     return {tree.prims.begin(), tree.prims.end()};
@@ -45,7 +47,7 @@ TEST(ModelBuilderTest, DroppedTrianglesKeepTheirNumbers) {
         builder.triangles.push_back(mesh[i]);
     }
     const std::size_t count = builder.triangles.size();
-    const ModelPtr model = std::move(builder).build();
+    const ModelPtr model = std::move(builder).build(kKdTree);
     EXPECT_EQ(model->droppedTriangles, dropped);
     EXPECT_EQ(model->triangles.size(), count);
     EXPECT_EQ(referenced(model->kdTree()), expected);
@@ -59,7 +61,7 @@ TEST(ModelBuilderTest, DroppedTrianglesKeepTheirNumbers) {
 TEST(ModelBuilderTest, ViewShowsTheModel) {
     ModelBuilder builder;
     builder.triangles = test::icosphere(1);
-    const ModelPtr model = std::move(builder).build();
+    const ModelPtr model = std::move(builder).build(kKdTree);
     const ModelView& view = model->view();
     EXPECT_EQ(view.triangles, model->triangles.data());
     EXPECT_EQ(view.records, nullptr);
@@ -77,18 +79,22 @@ TEST(ModelBuilderTest, ViewShowsTheModel) {
 }
 
 TEST(ModelBuilderTest, NothingToHitIsNoError) {
-    const ModelPtr empty = ModelBuilder().build();
-    EXPECT_TRUE(empty->bounds.empty());
-    EXPECT_EQ(empty->view().tree.nodes, nullptr);
-    EXPECT_EQ(empty->levels, 1u);
+    for (const BuildQuality quality : {BuildQuality::Nicest, BuildQuality::KdTree}) {
+        const ModelPtr empty = ModelBuilder().build({.quality = quality});
+        EXPECT_TRUE(empty->bounds.empty());
+        EXPECT_EQ(empty->view().tree.nodes, nullptr);
+        EXPECT_EQ(empty->view().wide.nodes, nullptr);
+        EXPECT_EQ(empty->levels, 1u);
 
-    ModelBuilder builder;
-    builder.triangles = {{{0, 0, 0}, {0, 0, 0}, {1, 1, 1}}};
-    const ModelPtr dropped = std::move(builder).build();
-    EXPECT_TRUE(dropped->bounds.empty());
-    EXPECT_EQ(dropped->view().tree.nodes, nullptr);
-    EXPECT_EQ(dropped->view().tree.maxAbs, 0);
-    EXPECT_EQ(dropped->droppedTriangles, 1u);
+        ModelBuilder builder;
+        builder.triangles = {{{0, 0, 0}, {0, 0, 0}, {1, 1, 1}}};
+        const ModelPtr dropped = std::move(builder).build({.quality = quality});
+        EXPECT_TRUE(dropped->bounds.empty());
+        EXPECT_EQ(dropped->view().tree.nodes, nullptr);
+        EXPECT_EQ(dropped->view().wide.nodes, nullptr);
+        EXPECT_EQ(dropped->view().tree.maxAbs, 0);
+        EXPECT_EQ(dropped->droppedTriangles, 1u);
+    }
 }
 
 TEST(ModelBuilderTest, NestedModelsAddLevelsAndBounds) {
@@ -104,7 +110,7 @@ TEST(ModelBuilderTest, NestedModelsAddLevelsAndBounds) {
     EXPECT_NEAR(middle->bounds.lo[0], -11, 0.1);
     EXPECT_NEAR(middle->bounds.hi[0], 11, 0.1);
     EXPECT_EQ(middle->view().childCount, 2u);
-    EXPECT_EQ(middle->view().tree.nodes, nullptr);
+    EXPECT_EQ(middle->view().wide.nodes, nullptr);
     EXPECT_EQ(referenced(middle->children.tree()), (std::set<uint32_t>{0, 1}));
 
     ModelBuilder topBuilder;
@@ -135,7 +141,7 @@ TEST(ModelBuilderTest, ShadingIsKeptAsGiven) {
 TEST(ModelBuilderTest, ThreadsDoNotChangeTheTree) {
     ModelBuilder one, two;
     one.triangles = two.triangles = test::bumpySphere(4000);
-    ModelBuildOptions options;
+    ModelBuildOptions options = kKdTree;
     const ModelPtr a = std::move(one).build(options);
     options.threads = 2;
     const ModelPtr b = std::move(two).build(options);

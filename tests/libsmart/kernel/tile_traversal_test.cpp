@@ -14,30 +14,31 @@
 namespace smart::test {
 namespace {
 
-class PlainScene {
+/// A scene with kd-trees in its models, for single rays, and one with wide trees, for tiles.
+class TwoTrees {
 public:
-    explicit PlainScene(std::vector<Triangle> triangles,
-                        Precision precision = Precision::Watertight)
-        : PlainScene({place(makeModel(std::move(triangles)))}, precision) {}
-    explicit PlainScene(std::vector<Instance> instances,
-                        Precision precision = Precision::Watertight, bool lastOfEqual = false)
-        : scene_(std::move(instances), precision, 1, lastOfEqual) {}
+    explicit TwoTrees(std::vector<Triangle> triangles, Precision precision = Precision::Watertight)
+        : TwoTrees({place(makeModel(std::move(triangles)))}, precision) {}
+    explicit TwoTrees(std::vector<Instance> instances,
+                      Precision precision = Precision::Watertight, bool lastOfEqual = false)
+        : kd_(withKdTrees(instances), precision, 1, lastOfEqual),
+          wide_(std::move(instances), precision, 1, lastOfEqual) {}
 
-    const Scene& scene() const { return scene_; }
-    const ModelView& view() const { return scene_.view(); }
+    const ModelView& kd() const { return kd_.view(); }
+    const ModelView& wide() const { return wide_.view(); }
+    Precision precision() const { return kd_.precision(); }
 
 private:
-    Scene scene_;
+    Scene kd_, wide_;
 };
 
 struct Disagreement {
     std::size_t rays = 0, hits = 0, closest = 0, any = 0;
 };
 
-Disagreement compare(const KernelTable& kernels, Precision precision, const ModelView& view,
-                     std::span<const Ray> rays, Filling filling) {
-    ModelView kd = view;
-    kd.wideReady = 0;
+/// Single rays in one view against tiles in another.
+Disagreement compare(const KernelTable& kernels, Precision precision, const ModelView& kd,
+                     const ModelView& view, std::span<const Ray> rays, Filling filling) {
     const std::vector<Hit> truth = traceSingles(kernels, precision, kd, rays);
     const std::vector<uint8_t> blocked = blockedSingles(kernels, precision, kd, rays);
     const std::vector<uint8_t> tiles = blockedTiles(kernels, precision, view, rays, filling);
@@ -52,15 +53,14 @@ Disagreement compare(const KernelTable& kernels, Precision precision, const Mode
 }
 
 /// All tables, both ways to fill packets, both modes that tiles have; returns how many rays hit.
-std::size_t expectSame(const Scene& scene, std::span<const Ray> rays, const std::string& name) {
+std::size_t expectSame(const TwoTrees& scene, std::span<const Ray> rays, const std::string& name) {
     SCOPED_TRACE(name);
-    scene.prepareTiles();
     std::size_t hits = 0;
     for (const KernelTable* kernels : availableKernels()) {
         SCOPED_TRACE(kernels->name);
         for (const Filling filling : {Filling::Full, Filling::Sparse}) {
             const Disagreement found =
-                compare(*kernels, scene.precision(), scene.view(), rays, filling);
+                compare(*kernels, scene.precision(), scene.kd(), scene.wide(), rays, filling);
             EXPECT_EQ(found.closest, 0u) << "of " << found.rays;
             EXPECT_EQ(found.any, 0u) << "of " << found.rays;
             hits = found.hits;
@@ -98,14 +98,14 @@ const CameraPose kPoses[] = {{{0.3, 0.4, 3}, {0, 0, 0}, {0, 1, 0}, 40},
                              {{1.5, 1.5, 1.5}, {0, 0, 0}, {0, 1, 0}, 2}};
 const double kLights[][3] = {{2, 3, 2}, {0, 0, 0}, {0.4, -0.2, 0.3}, {40, 1, 2}};
 
-void expectSameFromEverywhere(const Scene& scene, const std::string& name, uint32_t size = 40) {
+void expectSameFromEverywhere(const TwoTrees& scene, const std::string& name, uint32_t size = 40) {
     std::size_t hits = 0;
     for (const CameraPose& pose : kPoses) {
         const std::vector<Ray> rays = cameraRays(pose, size, size);
         hits += expectSame(scene, rays, name + ", camera");
         for (const bool unit : {false, true}) {
             const double* const light = kLights[(&pose - kPoses + unit) % 4];
-            expectSame(scene, raysTo(light, scene.view(), rays, unit), name + ", to a light");
+            expectSame(scene, raysTo(light, scene.kd(), rays, unit), name + ", to a light");
         }
     }
     EXPECT_GT(hits, 0u) << name;
@@ -120,22 +120,20 @@ TEST(TileTraversal, CameraAndShadowRaysHitAsSingleRays) {
             {"heightfield", heightfield(2000)},
             {"room", closedRoom()}};
         for (const auto& [name, mesh] : meshes)
-            expectSameFromEverywhere(PlainScene(mesh, precision).scene(), name);
+            expectSameFromEverywhere(TwoTrees(mesh, precision), name);
     }
 }
 
 TEST(TileTraversal, ManySmallTriangles) {
-    const PlainScene scene(bumpySphere(40000));
-    expectSameFromEverywhere(scene.scene(), "bumpy sphere of 40,000", 80);
+    const TwoTrees scene(bumpySphere(40000));
+    expectSameFromEverywhere(scene, "bumpy sphere of 40,000", 80);
 }
 
 /// The same scene with one box of its root gone.
 class Damaged {
 public:
-    explicit Damaged(const Scene& scene)
-        : model_(*scene.view().children[0].model), instance_(scene.view().children[0]),
-          view_(scene.view()) {
-        view_.wideReady = 0;
+    explicit Damaged(const ModelView& scene)
+        : model_(*scene.children[0].model), instance_(scene.children[0]), view_(scene) {
         const WideNode& root = model_.wide.nodes[0];
         // Nodes refer to each other by number, so that all are copied.
         uint32_t last = 0;
@@ -158,18 +156,17 @@ private:
 };
 
 TEST(TileTraversal, ControlADamagedTreeIsNoticedByBothKindsOfTiles) {
-    const PlainScene scene(bumpySphere(3000));
-    scene.scene().prepareTiles();
-    const Damaged damaged(scene.scene());
+    const TwoTrees scene(bumpySphere(3000));
+    const Damaged damaged(scene.wide());
     const std::vector<Ray> camera = cameraRays(kPoses[0], 64, 64);
-    const Disagreement found = compare(kernels(), Precision::Watertight, damaged.view(), camera,
-                                       Filling::Full);
+    const Disagreement found = compare(kernels(), Precision::Watertight, scene.kd(), damaged.view(),
+                                       camera, Filling::Full);
     EXPECT_GT(found.closest, 0u);
     EXPECT_GT(found.any, 0u);
     const double light[] = {-2, -3, -4}; // behind the sphere: nearly all are blocked
-    const std::vector<Ray> shadow = raysTo(light, scene.view(), camera, false);
+    const std::vector<Ray> shadow = raysTo(light, scene.kd(), camera, false);
     std::size_t wrong = 0;
-    const auto truth = blockedSingles(kernels(), Precision::Watertight, damaged.view(), shadow);
+    const auto truth = blockedSingles(kernels(), Precision::Watertight, scene.kd(), shadow);
     const auto tiles =
         blockedTiles(kernels(), Precision::Watertight, damaged.view(), shadow, Filling::Full);
     for (std::size_t i = 0; i < shadow.size(); ++i) wrong += truth[i] != tiles[i];
@@ -207,11 +204,11 @@ TEST(TileTraversal, LosesNothingAtVerticesAndEdgesAtAnyScale) {
         for (Triangle& triangle : mesh)
             for (float* v : {triangle.v0, triangle.v1, triangle.v2})
                 for (int k = 0; k < 3; ++k) v[k] = float(v[k] * scale);
-        const PlainScene scene(mesh);
+        const TwoTrees scene(mesh);
         const double inside[] = {0.1 * scale, -0.2 * scale, 0.05 * scale}, centre[] = {0, 0, 0};
         for (const double* origin : {inside, centre}) {
             const auto rays = aimedTiles(mesh, origin, rayCount(40), Aim::Normalised, 3);
-            EXPECT_EQ(expectSame(scene.scene(), rays, "scale " + std::to_string(scale)),
+            EXPECT_EQ(expectSame(scene, rays, "scale " + std::to_string(scale)),
                       rays.size());
         }
     }
@@ -219,22 +216,22 @@ TEST(TileTraversal, LosesNothingAtVerticesAndEdgesAtAnyScale) {
 
 TEST(TileTraversal, OriginsOnVerticesAndPlanes) {
     const auto mesh = snapped(icosphere(2), 16);
-    const PlainScene scene(mesh);
+    const TwoTrees scene(mesh);
     const double vertex[] = {mesh[5].v0[0], mesh[5].v0[1], mesh[5].v0[2]};
     const double middle[] = {0.5 * (mesh[5].v0[0] + mesh[5].v1[0]),
                              0.5 * (mesh[5].v0[1] + mesh[5].v1[1]),
                              0.5 * (mesh[5].v0[2] + mesh[5].v1[2])};
     for (const double* origin : {vertex, middle})
-        expectSame(scene.scene(), aimedTiles(mesh, origin, rayCount(40), Aim::Rounded, 4), "on it");
-    const PlainScene room(closedRoom());
+        expectSame(scene, aimedTiles(mesh, origin, rayCount(40), Aim::Rounded, 4), "on it");
+    const TwoTrees room(closedRoom());
     for (const CameraPose& pose : {CameraPose{{8, 0, 0}, {0, 0, 0}, {0, 1, 0}, 40},
                                    CameraPose{{1, 1, 1}, {5, 1, 1}, {0, 1, 0}, 60},
                                    CameraPose{{7, -8, 3}, {7, 0, 3}, {1, 0, 0}, 50}})
-        expectSame(room.scene(), cameraRays(pose, 32, 32), "integer eye");
+        expectSame(room, cameraRays(pose, 32, 32), "integer eye");
 }
 
 TEST(TileTraversal, BadRays) {
-    const PlainScene scene(bumpySphere(2000));
+    const TwoTrees scene(bumpySphere(2000));
     Random random(5);
     std::vector<Ray> rays = cameraRays(kPoses[0], 64, 64);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -257,55 +254,55 @@ TEST(TileTraversal, BadRays) {
             default: break;
         }
     }
-    expectSame(scene.scene(), rays, "bad rays among good ones");
+    expectSame(scene, rays, "bad rays among good ones");
     for (Ray& ray : rays) ray.dir[2] = NAN;
-    EXPECT_EQ(expectSame(scene.scene(), rays, "bad rays only"), 0u);
+    EXPECT_EQ(expectSame(scene, rays, "bad rays only"), 0u);
 }
 
 TEST(TileTraversal, RaysThatAreNoTile) {
     const auto mesh = bumpySphere(2000);
-    const PlainScene scene(mesh);
-    expectSame(scene.scene(), randomRays(mesh, rayCount(2000), 6), "unrelated");
-    expectSame(scene.scene(), axisParallelRays(1.2, 0, rayCount(1000), 7), "axis-parallel");
+    const TwoTrees scene(mesh);
+    expectSame(scene, randomRays(mesh, rayCount(2000), 6), "unrelated");
+    expectSame(scene, axisParallelRays(1.2, 0, rayCount(1000), 7), "axis-parallel");
     std::vector<Ray> rays = cameraRays(kPoses[1], 40, 40);
     Random random(8);
     for (Ray& ray : rays) {
         const auto d = random.onSphere();
         for (std::size_t k = 0; k < 3; ++k) ray.dir[k] = float(d[k]);
     }
-    expectSame(scene.scene(), rays, "all ways from one origin");
+    expectSame(scene, rays, "all ways from one origin");
     rays = cameraRays(kPoses[0], 40, 40);
     for (Ray& ray : rays)
         for (float& x : ray.org) x += float(random.between(-1e-3, 1e-3));
-    expectSame(scene.scene(), rays, "origins near each other");
+    expectSame(scene, rays, "origins near each other");
     const double light[] = {2, 3, 2};
-    std::vector<Ray> shadow = raysTo(light, scene.view(), cameraRays(kPoses[0], 40, 40), false);
+    std::vector<Ray> shadow = raysTo(light, scene.kd(), cameraRays(kPoses[0], 40, 40), false);
     for (std::size_t i = 0; i < shadow.size(); ++i) {
         if (i % 5 == 0) shadow[i].tFar = 1.5f; // beyond the light
         if (i % 7 == 0) shadow[i].dir[i % 3] += 1e-3f;
     }
-    expectSame(scene.scene(), shadow, "not quite to one point");
+    expectSame(scene, shadow, "not quite to one point");
 }
 
 TEST(TileTraversal, MissesAndHorizon) {
-    const PlainScene scene(heightfield(5000));
-    expectSameFromEverywhere(scene.scene(), "heightfield");
+    const TwoTrees scene(heightfield(5000));
+    expectSameFromEverywhere(scene, "heightfield");
     for (const double height : {0.0, 0.05, 0.3}) {
         const CameraPose grazing{{-3, height, 0.1}, {3, height, 0}, {0, 1, 0}, 30};
-        expectSame(scene.scene(), cameraRays(grazing, 48, 48), "along it");
+        expectSame(scene, cameraRays(grazing, 48, 48), "along it");
         const CameraPose other{{-3, 0.1, height}, {3, 0, height}, {0, 1, 0}, 30};
-        expectSame(scene.scene(), cameraRays(other, 48, 48), "along it");
+        expectSame(scene, cameraRays(other, 48, 48), "along it");
     }
     const CameraPose away{{0, 0, 5}, {0, 0, 10}, {0, 1, 0}, 40};
-    EXPECT_EQ(expectSame(scene.scene(), cameraRays(away, 32, 32), "away"), 0u);
+    EXPECT_EQ(expectSame(scene, cameraRays(away, 32, 32), "away"), 0u);
 }
 
 TEST(TileTraversal, OneTriangleAndNone) {
-    expectSameFromEverywhere(PlainScene(triangleSoup(1, 1.0f, 3)).scene(), "one");
-    const PlainScene empty{std::vector<Triangle>{}}, nothing{std::vector<Instance>{}};
+    expectSameFromEverywhere(TwoTrees(triangleSoup(1, 1.0f, 3)), "one");
+    const TwoTrees empty{std::vector<Triangle>{}}, nothing{std::vector<Instance>{}};
     const auto rays = cameraRays(kPoses[0], 16, 16);
-    EXPECT_EQ(expectSame(empty.scene(), rays, "no triangle"), 0u);
-    EXPECT_EQ(expectSame(nothing.scene(), rays, "no instance"), 0u);
+    EXPECT_EQ(expectSame(empty, rays, "no triangle"), 0u);
+    EXPECT_EQ(expectSame(nothing, rays, "no instance"), 0u);
 }
 
 TEST(TileTraversal, LargeCoordinates) {
@@ -314,11 +311,11 @@ TEST(TileTraversal, LargeCoordinates) {
         for (Triangle& triangle : mesh)
             for (float* v : {triangle.v0, triangle.v1, triangle.v2})
                 for (int k = 0; k < 3; ++k) v[k] = float(v[k] * scale);
-        const PlainScene scene(mesh);
+        const TwoTrees scene(mesh);
         auto rays = cameraRays(kPoses[0], 24, 24);
         for (Ray& ray : rays)
             for (float& x : ray.org) x = float(x * scale);
-        EXPECT_GT(expectSame(scene.scene(), rays, "scale " + std::to_string(scale)), 0u);
+        EXPECT_GT(expectSame(scene, rays, "scale " + std::to_string(scale)), 0u);
     }
 }
 
@@ -327,16 +324,16 @@ TEST(TileTraversal, DistancesBeyondFloat) {
     for (Triangle& triangle : mesh)
         for (float* v : {triangle.v0, triangle.v1, triangle.v2})
             for (int k = 0; k < 3; ++k) v[k] *= 1e10f;
-    const PlainScene scene(mesh);
+    const TwoTrees scene(mesh);
     auto rays = cameraRays(kPoses[0], 24, 24);
     for (Ray& ray : rays)
         for (int k = 0; k < 3; ++k) {
             ray.org[k] *= 1e10f;
             ray.dir[k] *= 1e-32f;
         }
-    EXPECT_GT(expectSame(scene.scene(), rays, "t of some 1e42"), 0u);
+    EXPECT_GT(expectSame(scene, rays, "t of some 1e42"), 0u);
     std::size_t infinite = 0;
-    for (const Hit& hit : traceSingles(kernels(), Precision::Watertight, scene.view(), rays))
+    for (const Hit& hit : traceSingles(kernels(), Precision::Watertight, scene.kd(), rays))
         infinite += hit.triangle != kNoHit && hit.t == INFINITY;
     EXPECT_GT(infinite, 0u);
 }
@@ -345,31 +342,31 @@ TEST(TileTraversal, DistancesBeyondFloat) {
 double nearOne(std::size_t i, int bits) { return 1 + std::ldexp(i % 2 ? 1.0 : -1.0, -bits); }
 
 TEST(TileTraversal, LimitsNearTheHit) {
-    const PlainScene scene(bumpySphere(3000));
+    const TwoTrees scene(bumpySphere(3000));
     const std::vector<Ray> camera = cameraRays(kPoses[0], 40, 40);
     for (const bool far : {true, false}) {
         std::vector<Ray> rays;
         for (std::size_t i = 0; i < camera.size(); ++i) {
             Hit hit;
-            kernels().intersect1[int(Precision::Watertight)](scene.view(), camera[i], hit);
+            kernels().intersect1[int(Precision::Watertight)](scene.kd(), camera[i], hit);
             if (hit.triangle == kNoHit) continue;
             Ray ray = camera[i];
             (far ? ray.tFar : ray.tNear) = float(hit.t * nearOne(i, 6 + int(i / 2 % 20)));
             rays.push_back(ray);
         }
-        expectSame(scene.scene(), rays, far ? "far limits" : "near limits");
+        expectSame(scene, rays, far ? "far limits" : "near limits");
     }
 }
 
 TEST(TileTraversal, ShadowRaysThatStartNearTheirSurface) {
     for (const auto& mesh : {bumpySphere(3000), heightfield(3000)}) {
-        const PlainScene scene(mesh);
+        const TwoTrees scene(mesh);
         const std::vector<Ray> camera = cameraRays(kPoses[0], 40, 40);
         for (const auto& light : kLights) {
             std::vector<Ray> rays;
             for (std::size_t i = 0; i < camera.size(); ++i) {
                 Hit hit;
-                kernels().intersect1[int(Precision::Watertight)](scene.view(), camera[i], hit);
+                kernels().intersect1[int(Precision::Watertight)](scene.kd(), camera[i], hit);
                 if (hit.triangle == kNoHit) continue;
                 Ray ray{};
                 const double t = hit.t * nearOne(i, 6 + int(i / 2 % 20));
@@ -380,7 +377,7 @@ TEST(TileTraversal, ShadowRaysThatStartNearTheirSurface) {
                 ray.tFar = 1;
                 rays.push_back(ray);
             }
-            expectSame(scene.scene(), rays, "behind and before what was seen");
+            expectSame(scene, rays, "behind and before what was seen");
         }
     }
 }
@@ -389,16 +386,16 @@ TEST(TileTraversal, EqualDistancesGoToTheLowest) {
     const auto mesh = icosphere(3);
     std::vector<Triangle> twice = mesh;
     twice.insert(twice.end(), mesh.begin(), mesh.end());
-    const PlainScene scene(twice);
-    expectSameFromEverywhere(scene.scene(), "each triangle twice");
+    const TwoTrees scene(twice);
+    expectSameFromEverywhere(scene, "each triangle twice");
     const ModelPtr model = makeModel(mesh);
-    const PlainScene thrice({place(model), place(model), place(model)});
-    expectSameFromEverywhere(thrice.scene(), "three instances in one place");
-    const PlainScene last({place(model), place(makeModel(twice)), place(model), place(model)},
+    const TwoTrees thrice({place(model), place(model), place(model)});
+    expectSameFromEverywhere(thrice, "three instances in one place");
+    const TwoTrees last({place(model), place(makeModel(twice)), place(model), place(model)},
                           Precision::Watertight, true);
-    expectSameFromEverywhere(last.scene(), "the last of equal ones");
-    const PlainScene nested({place(makeModel(mesh, {place(model), place(model)})), place(model)});
-    expectSameFromEverywhere(nested.scene(), "nested in one place");
+    expectSameFromEverywhere(last, "the last of equal ones");
+    const TwoTrees nested({place(makeModel(mesh, {place(model), place(model)})), place(model)});
+    expectSameFromEverywhere(nested, "nested in one place");
 }
 
 TEST(TileTraversal, Instances) {
@@ -418,25 +415,24 @@ TEST(TileTraversal, Instances) {
             instances.push_back(place(models[i % 2], glm::dmat4x3(matrix)));
         }
         for (const Precision precision : {Precision::Watertight, Precision::Fast}) {
-            expectSameFromEverywhere(PlainScene(instances, precision).scene(),
+            expectSameFromEverywhere(TwoTrees(instances, precision),
                                      std::to_string(count) + " instances");
         }
         const ModelPtr group = makeModel(triangleSoup(40, 0.5f, 11), instances);
         std::vector<Instance> outer = {
             place(group, glm::dmat4x3(glm::rotate(one, 0.5, axis))),
             place(group, glm::dmat4x3(glm::translate(one, glm::dvec3(0.5, 0.2, -1))))};
-        expectSameFromEverywhere(PlainScene(outer).scene(), "nested instances");
+        expectSameFromEverywhere(TwoTrees(outer), "nested instances");
     }
 }
 
-TEST(TileTraversal, PreciseModeAndUnpreparedScenesTakePackets) {
+TEST(TileTraversal, PreciseModeAndKdTreesTakePackets) {
     const auto rays = cameraRays(kPoses[0], 16, 16);
-    const PlainScene precise(bumpySphere(500), Precision::Precise);
-    EXPECT_GT(expectSame(precise.scene(), rays, "precise"), 0u);
-    EXPECT_EQ(precise.view().children[0].model->wide.nodes, nullptr);
-    const PlainScene scene(bumpySphere(500));
-    const Disagreement found =
-        compare(kernels(), Precision::Watertight, scene.view(), rays, Filling::Full);
+    const TwoTrees precise(bumpySphere(500), Precision::Precise);
+    EXPECT_GT(expectSame(precise, rays, "precise"), 0u);
+    const TwoTrees scene(bumpySphere(500));
+    const Disagreement found = compare(kernels(), Precision::Watertight, scene.kd(), scene.kd(),
+                                       rays, Filling::Full);
     EXPECT_EQ(found.closest + found.any, 0u);
     EXPECT_GT(found.hits, 0u);
 }

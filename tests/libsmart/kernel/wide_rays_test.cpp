@@ -3,7 +3,6 @@
 // held against exact arithmetic elsewhere, and what each triangle alone says.
 #include <gtest/gtest.h>
 
-#include <deque>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/libsmart/kernel/engine_check.h"
@@ -16,30 +15,6 @@ namespace {
 
 constexpr Precision kPrecisions[] = {Precision::Fast, Precision::Watertight, Precision::Precise};
 constexpr const char* kNames[] = {"fast", "watertight", "precise"};
-
-/// A scene whose models have no kd-tree.
-class WideOnly {
-public:
-    explicit WideOnly(const ModelView& prepared) : scene_(strip(prepared)) {
-        scene_.wideReady = 0;
-    }
-    const ModelView& view() const { return scene_; }
-
-private:
-    ModelView strip(ModelView model) {
-        model.tree = {};
-        std::vector<InstanceView>& children = children_.emplace_back(
-            model.children, model.children + model.childCount);
-        for (InstanceView& child : children)
-            if (child.model) child.model = &models_.emplace_back(strip(*child.model));
-        model.children = children.data();
-        return model;
-    }
-
-    std::deque<std::vector<InstanceView>> children_;
-    std::deque<ModelView> models_;
-    ModelView scene_;
-};
 
 /// Streams of incoherent rays against hits that are known.
 void expectStreams(const ModelView& view, std::span<const Ray> rays, Precision precision,
@@ -57,8 +32,7 @@ void expectStreams(const ModelView& view, std::span<const Ray> rays, Precision p
         }
 }
 
-/// All tables and all ways to call them, wide trees beside kd-trees and alone. Returns how many
-/// rays hit.
+/// All tables and all ways to call them. Returns how many rays hit.
 std::size_t expectSame(std::vector<Instance> instances, std::span<const Ray> rays,
                        const std::string& name,
                        std::span<const Precision> precisions = kPrecisions) {
@@ -67,12 +41,8 @@ std::size_t expectSame(std::vector<Instance> instances, std::span<const Ray> ray
         SCOPED_TRACE(name + ", " + kNames[int(precision)]);
         const TracedScene scene(instances, precision);
         std::vector<Hit> truth = traceSingles(kernels(), precision, scene.view(), rays);
-        const ModelView wide = scene.wideView();
-        traceAllWays(wide, rays, precision, truth);
-        expectStreams(wide, rays, precision, truth);
-        const WideOnly alone(wide);
-        traceAllWays(alone.view(), rays, precision, truth);
-        expectStreams(alone.view(), rays, precision, truth);
+        traceAllWays(scene.wideView(), rays, precision, truth);
+        expectStreams(scene.wideView(), rays, precision, truth);
         hits = 0;
         for (const Hit& hit : truth) hits += hit.triangle != kNoHit;
     }
@@ -289,14 +259,11 @@ TEST(WideRays, EqualDistances) {
     const auto inside =
         raysFromOutside(mesh, 1, rayCount(200), Target::Interior, Aim::Rounded, 13);
     for (const Precision precision : kPrecisions) {
-        const Scene scene(places, precision, 1, true);
+        const Scene scene(withKdTrees(places), precision, 1, true);
         std::vector<Hit> truth = traceSingles(kernels(), precision, scene.view(), inside);
         for (const Hit& hit : truth) EXPECT_TRUE(hit.triangle == kNoHit || hit.path[0] == 20);
-        model->prepareTiles();
-        places.back().model->prepareTiles();
-        ModelView wide = scene.view();
-        wide.wideReady = 1;
-        traceAllWays(wide, inside, precision, truth);
+        const Scene wide(places, precision, 1, true);
+        traceAllWays(wide.view(), inside, precision, truth);
     }
 }
 
@@ -339,7 +306,7 @@ TEST(WideRays, WhatEachTriangleAloneSays) {
         }
     }
     const TracedScene scene(mesh, Precision::Precise);
-    traceAllWays(WideOnly(scene.wideView()).view(), rays, Precision::Precise, nearest);
+    traceAllWays(scene.wideView(), rays, Precision::Precise, nearest);
 }
 
 TEST(WideRays, ControlADamagedTreeIsNoticed) {

@@ -36,9 +36,11 @@ TEST(SceneTest, FastModeAloneMakesRecords) {
 TEST(SceneTest, StatisticsCountEachModelOnce) {
     std::vector<Triangle> triangles = test::icosphere(1);
     triangles.push_back({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}});
-    const ModelPtr inner = makeModel(triangles);
-    const ModelPtr outer = makeModel(test::icosphere(0),
-                                     {place(inner), place(inner), place(inner, glm::dmat4x3(0.0))});
+    const ModelPtr inner = makeModel(triangles, {}, BuildQuality::KdTree);
+    const ModelPtr outer =
+        makeModel(test::icosphere(0),
+                  {place(inner), place(inner), place(inner, glm::dmat4x3(0.0))},
+                  BuildQuality::KdTree);
     const Scene scene({place(outer), place(inner), place(outer, glm::dmat4x3(0.0)), place(nullptr)},
                       Precision::Watertight, 1);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "libsmart/geometry/model_trees.h"
+#include "libsmart/geometry/model_tree.h"
 
 #include <cmath>
 #include <optional>
@@ -77,13 +77,13 @@ std::size_t heldBytes(const std::vector<T>& vector) {
 
 std::exception_ptr takeBuildFailure() noexcept { return std::exchange(buildFailure, nullptr); }
 
-const KdTree ModelTrees::kNoTree;
+const KdTree ModelTree::kNoTree;
 
-ModelTrees::ModelTrees(const ModelBuildOptions& options)
-    : DeferredView{&ModelTrees::reach}, options_(options),
-      counted_(options.memory, sizeof(ModelTrees)) {}
+ModelTree::ModelTree(const ModelBuildOptions& options)
+    : DeferredView{&ModelTree::reach}, options_(options),
+      counted_(options.memory, sizeof(ModelTree)) {}
 
-TriangleBoxes ModelTrees::survey(const std::vector<Triangle>& triangles) {
+TriangleBoxes ModelTree::survey(const std::vector<Triangle>& triangles) {
     TriangleBoxes boxes(triangles, options_.threads);
     bounds_ = boxes.bounds;
     reach_ = cornerReach(triangles, boxes);
@@ -91,18 +91,18 @@ TriangleBoxes ModelTrees::survey(const std::vector<Triangle>& triangles) {
     return boxes;
 }
 
-void ModelTrees::make(const std::vector<Triangle>& triangles) {
+void ModelTree::make(const std::vector<Triangle>& triangles) {
     const TriangleBoxes boxes = survey(triangles);
     const CountedBytes working(options_.memory, heldBytes(boxes.boxes));
     if (!options_.lazy) build(triangles, boxes);
 }
 
-void ModelTrees::makeMoved(const std::vector<Triangle>& triangles, const ModelTrees& old) {
+void ModelTree::makeMoved(const std::vector<Triangle>& triangles, const ModelTree& old) {
     moved_ = true;
     const TriangleBoxes boxes = survey(triangles);
     const CountedBytes working(options_.memory, heldBytes(boxes.boxes));
     if (options_.lazy) return;
-    if (old.built() && old.wideReady_.load(std::memory_order_acquire)) {
+    if (options_.quality != BuildQuality::KdTree && old.built()) {
         std::optional<TriangleTree> tree =
             old.wideTree_.refitted(triangles, boxes.boxes, options_.threads);
         if (tree && tree->decay() < TriangleTree::kDecayed)
@@ -111,43 +111,37 @@ void ModelTrees::makeMoved(const std::vector<Triangle>& triangles, const ModelTr
     build(triangles, boxes);
 }
 
-void ModelTrees::build(const std::vector<Triangle>& triangles, const TriangleBoxes& boxes) {
+void ModelTree::build(const std::vector<Triangle>& triangles, const TriangleBoxes& boxes) {
     if (boxes.bounds.empty()) return;
-    const bool kd = options_.quality == BuildQuality::Nicest && !moved_;
-    KdTree tree;
-    uint64_t events = 0;
-    if (kd) {
+    if (options_.quality == BuildQuality::KdTree) {
         KdBuildOptions options;
         options.threads = options_.threads;
         KdBuildStats stats;
-        tree = buildKdTree(TrianglePrimitives(triangles, boxes.boxes), options, &stats);
-        events = stats.events;
+        setKdTree(buildKdTree(TrianglePrimitives(triangles, boxes.boxes), options, &stats));
+        events_ = stats.events;
+        return;
     }
-    // The kd-tree serves all rays; tiles may never come to a model that was built at once.
-    if (!kd || options_.lazy) setWideTree(buildWide(triangles, boxes));
+    // Triangles that were cut in two are a burden once they move.
+    const WideQuality quality =
+        options_.quality == BuildQuality::Fastest             ? WideQuality::Fast
+        : options_.quality == BuildQuality::Nicest && !moved_ ? WideQuality::Spatial
+                                                              : WideQuality::Binned;
+    setWideTree(TriangleTree(triangles, boxes.boxes, quality, options_.threads));
+}
+
+void ModelTree::setKdTree(KdTree tree) {
     kdTree_ = std::move(tree);
-    events_ = events;
-    kdSizes_.add(kdTree_);
+    sizes_.add(kdTree_);
     counted_.add(kdTree_.bytes());
 }
 
-void ModelTrees::setWideTree(TriangleTree tree) {
+void ModelTree::setWideTree(TriangleTree tree) {
     wideTree_ = std::move(tree);
-    wideSizes_.add(wideTree_.nodes());
+    sizes_.add(wideTree_.nodes());
     counted_.add(wideTree_.bytes());
 }
 
-TriangleTree ModelTrees::buildWide(const std::vector<Triangle>& triangles,
-                                   const TriangleBoxes& boxes) const {
-    // Triangles that were cut in two are a burden once they move.
-    const WideQuality quality =
-        options_.quality == BuildQuality::Fastest            ? WideQuality::Fast
-        : options_.quality == BuildQuality::Nicest && !moved_ ? WideQuality::Spatial
-                                                              : WideQuality::Binned;
-    return TriangleTree(triangles, boxes.boxes, quality, options_.threads);
-}
-
-void ModelTrees::show(const std::vector<Triangle>& triangles, const InstanceGroup& children) {
+void ModelTree::show(const std::vector<Triangle>& triangles, const InstanceGroup& children) {
     triangles_ = &triangles;
     counted_.add(heldBytes(triangles));
     view_.triangles = triangles.data();
@@ -156,17 +150,12 @@ void ModelTrees::show(const std::vector<Triangle>& triangles, const InstanceGrou
         view_.deferred = this;
         return;
     }
-    showTrees(view_);
-    wideReady_.store(view_.wide.nodes != nullptr, std::memory_order_release);
+    showTree(view_);
     ready_.store(&view_, std::memory_order_release);
 }
 
-void ModelTrees::showTrees(ModelView& view) const {
+void ModelTree::showTree(ModelView& view) const {
     view.tree = makeKdView(kdTree_, kdTree_.bounds);
-    showWideTree(view);
-}
-
-void ModelTrees::showWideTree(ModelView& view) const {
     if (wideTree_.empty()) return;
     static_cast<BoxView&>(view.wide) = makeBoxView(wideTree_.bounds());
     view.wide.nodes = wideTree_.nodes().data();
@@ -174,35 +163,34 @@ void ModelTrees::showWideTree(ModelView& view) const {
 }
 
 // The thread that comes first builds; those that come meanwhile wait for the lock.
-const ModelView* ModelTrees::reach(const DeferredView& view) {
-    ModelTrees& trees = const_cast<ModelTrees&>(static_cast<const ModelTrees&>(view));
-    if (const ModelView* const ready = trees.ready_.load(std::memory_order_acquire)) return ready;
+const ModelView* ModelTree::reach(const DeferredView& view) {
+    ModelTree& tree = const_cast<ModelTree&>(static_cast<const ModelTree&>(view));
+    if (const ModelView* const ready = tree.ready_.load(std::memory_order_acquire)) return ready;
     try {
-        const std::lock_guard lock(trees.mutex_);
-        if (!trees.built()) trees.buildDeferred();
-        return trees.ready_.load(std::memory_order_relaxed);
+        const std::lock_guard lock(tree.mutex_);
+        if (!tree.built()) tree.buildDeferred();
+        return tree.ready_.load(std::memory_order_relaxed);
     } catch (...) {
         buildFailure = std::current_exception();
-        return &trees.view_; // without trees
+        return &tree.view_; // without a tree
     }
 }
 
-void ModelTrees::buildDeferred() {
+void ModelTree::buildDeferred() {
     const FpEnvironment standard;
-    if (wideTree_.empty()) { // else there was no memory for the records last time
+    if (sizes_.nodes == 0) { // else there was no memory for the records last time
         const TriangleBoxes boxes(*triangles_, options_.threads);
         const CountedBytes working(options_.memory, heldBytes(boxes.boxes));
         build(*triangles_, boxes);
     }
     reached_ = view_;
     reached_.deferred = nullptr;
-    showTrees(reached_);
+    showTree(reached_);
     if (wantsRecords_) makeRecords(reached_);
-    wideReady_.store(true, std::memory_order_release);
     ready_.store(&reached_, std::memory_order_release);
 }
 
-void ModelTrees::makeRecords(ModelView& view) {
+void ModelTree::makeRecords(ModelView& view) {
     if (view.records || triangles_->empty()) return;
     const FpEnvironment standard;
     std::vector<TriangleRecord> records;
@@ -213,34 +201,10 @@ void ModelTrees::makeRecords(ModelView& view) {
     view.records = records_.data();
 }
 
-void ModelTrees::prepareRecords() {
+void ModelTree::prepareRecords() {
     const std::lock_guard lock(mutex_);
     wantsRecords_ = true;
     if (built()) makeRecords(shown());
-}
-
-bool ModelTrees::hasWideTree() const {
-    return !built() || bounds_.empty() || wideReady_.load(std::memory_order_acquire);
-}
-
-void ModelTrees::prepareWideTree() {
-    if (hasWideTree()) return;
-    const std::lock_guard lock(mutex_);
-    if (hasWideTree()) return;
-    const FpEnvironment standard;
-    const TriangleBoxes boxes(*triangles_, options_.threads);
-    const CountedBytes working(options_.memory, heldBytes(boxes.boxes));
-    setWideTree(buildWide(*triangles_, boxes));
-    showWideTree(view_);
-    wideReady_.store(true, std::memory_order_release);
-}
-
-TreeSizes ModelTrees::sizes() const {
-    TreeSizes sizes;
-    if (!built()) return sizes;
-    sizes.add(kdSizes_);
-    if (wideReady_.load(std::memory_order_acquire)) sizes.add(wideSizes_);
-    return sizes;
 }
 
 } // namespace smart

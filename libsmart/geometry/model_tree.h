@@ -15,19 +15,20 @@
 
 namespace smart {
 
-/// The trees over a model's triangles and the records of the fast mode, with the view that shows
-/// them to kernels: made at once, or, of a lazy model, by the thread whose ray reaches it first.
-class ModelTrees : private DeferredView {
+/// The tree over a model's triangles, of either kind, and the records of the fast mode, with the
+/// view that shows them to kernels: made at once, or, of a lazy model, by the thread whose ray
+/// reaches it first.
+class ModelTree : private DeferredView {
 public:
-    explicit ModelTrees(const ModelBuildOptions& options);
-    ModelTrees(const ModelTrees&) = delete;
-    ModelTrees& operator=(const ModelTrees&) = delete;
+    explicit ModelTree(const ModelBuildOptions& options);
+    ModelTree(const ModelTree&) = delete;
+    ModelTree& operator=(const ModelTree&) = delete;
 
     /// Looks at the triangles, and builds unless that is to wait. Throws std::bad_alloc.
     void make(const std::vector<Triangle>& triangles);
-    /// The same for the triangles of another model after they have moved. There is no kd-tree over
-    /// them; the wide tree is refitted while it is not much worse than a new one.
-    void makeMoved(const std::vector<Triangle>& triangles, const ModelTrees& old);
+    /// The same for the triangles of another model after they have moved: its wide tree is refitted
+    /// while that is not much worse than a new one.
+    void makeMoved(const std::vector<Triangle>& triangles, const ModelTree& old);
     /// Makes the view. The triangles have come to where they stay.
     void show(const std::vector<Triangle>& triangles, const InstanceGroup& children);
 
@@ -39,13 +40,10 @@ public:
     /// Empty where there is none, or none yet.
     const KdTree& kdTree() const { return built() ? kdTree_ : kNoTree; }
     uint64_t events() const { return events_; }
-    TreeSizes sizes() const;
+    TreeSizes sizes() const { return built() ? sizes_ : TreeSizes(); }
     std::size_t bytes() const { return std::size_t(counted_.bytes()); }
 
-    // What may be made later: thread-safe, while rays walk what exists. Of a lazy model with its
-    // trees.
-    bool hasWideTree() const;
-    void prepareWideTree();
+    /// May come later: thread-safe, while rays walk the tree. Of a lazy model with its tree.
     void prepareRecords();
 
 private:
@@ -56,12 +54,10 @@ private:
     void build(const std::vector<Triangle>& triangles, const TriangleBoxes& boxes);
     /// Of a lazy model; the lock is held.
     void buildDeferred();
-    TriangleTree buildWide(const std::vector<Triangle>& triangles,
-                           const TriangleBoxes& boxes) const;
+    void setKdTree(KdTree tree);
     void setWideTree(TriangleTree tree);
     void makeRecords(ModelView& view);
-    void showTrees(ModelView& view) const;
-    void showWideTree(ModelView& view) const;
+    void showTree(ModelView& view) const;
     ModelView& shown() { return options_.lazy ? reached_ : view_; }
 
     const ModelBuildOptions options_;
@@ -73,13 +69,12 @@ private:
     KdTree kdTree_;
     TriangleTree wideTree_;
     std::vector<TriangleRecord> records_;
-    TreeSizes kdSizes_, wideSizes_;
+    TreeSizes sizes_;
     uint64_t events_ = 0;
     ModelView view_{};    ///< what instances refer to
     ModelView reached_{}; ///< of a lazy model: what its rays walk
     std::mutex mutex_;    ///< of what is made later
-    std::atomic<const ModelView*> ready_{nullptr}; ///< the view with the trees, once there are any
-    std::atomic<bool> wideReady_{false};
+    std::atomic<const ModelView*> ready_{nullptr}; ///< the view with the tree, once there is one
     bool wantsRecords_ = false;
     bool moved_ = false;
 };
