@@ -125,13 +125,9 @@ TEST(ModelTest, QualityChoosesTheTrees) {
     }
 }
 
-/// Long triangles side by side, askew: boxes around them overlap, unless they are cut.
 TEST(ModelTest, OnlyTheNicestTreeCutsTriangles) {
-    std::vector<Triangle> triangles;
-    for (int i = 0; i < 64; ++i) {
-        const float x = float(i);
-        triangles.push_back({{x, 0, 0}, {x + 64, 64, 1}, {x + 64, 64, 0}});
-    }
+    std::vector<Triangle> triangles = test::triangleSoup(6000, 0.02f, 1);
+    for (const Triangle& large : test::triangleSoup(300, 1.0f, 2)) triangles.push_back(large);
     const auto references = [&](BuildQuality quality) {
         ModelBuilder builder;
         builder.triangles = triangles;
