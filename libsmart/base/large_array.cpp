@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "libsmart/base/large_array.h"
+
+#include <cstdint>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace smart {
+
+void useHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) noexcept {
+#if defined(__linux__)
+    constexpr uintptr_t kHugePage = uintptr_t(2) << 20; // what x86-64, and AArch64 as a rule, have
+    const uintptr_t begin = (uintptr_t(memory) + kHugePage - 1) & ~(kHugePage - 1);
+    const uintptr_t end = (uintptr_t(memory) + bytes) & ~(kHugePage - 1);
+    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
+} // namespace smart
