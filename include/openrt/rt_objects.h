@@ -152,9 +152,9 @@ RTAPI void RTAPIENTRY rtInstantiateObjectShaders(RTuint object, RTsizei n, const
  * RT_FASTEST builds a tree of boxes along a space-filling curve in linear time. RT_KD_TREE builds
  * the kd-tree that the surface area heuristic finds best, exactly (Wald and Havran, 2006): something
  * to compare with, for it takes longest to build and rays take longer in it. Hits do not depend on
- * any of this. After rtUpdateObject the tree of boxes of before is fitted to the new positions
- * (Lauterbach and others, 2006) until rays would take half as long again as in a new one; a kd-tree
- * is built anew. Primitives outside objects get the fast tree, and a better one once they stay.
+ * any of this. After rtUpdateObject the old tree of boxes is fitted to the new positions (Lauterbach
+ * and others, 2006) until rays would take half as long again as in a new one, which cuts nothing; a
+ * kd-tree is built anew. Primitives outside objects get the fast tree, a better one once they stay.
  * RT_LAZY_BUILD builds when the first ray reaches an instance of the object: objects that no ray
  * reaches have no tree. Threads that come meanwhile wait. If memory runs out then, the frame fails
  * with RT_OUT_OF_MEMORY; the next frame tries again.

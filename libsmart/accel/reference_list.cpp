@@ -36,7 +36,9 @@ ReferenceList listReferences(std::span<const Aabb> boxes, double extraShare, Bui
     const std::vector<uint32_t> before = countBoxes(boxes, crew);
     ReferenceList list;
     list.count = before.back();
-    list.references.resize(list.count + std::size_t(double(list.count) * extraShare));
+    const std::size_t count = list.count, extra = std::size_t(double(count) * extraShare);
+    list.references.resize(
+        std::max(count, std::min<std::size_t>(count + extra, BoxReference::kMaxNumber)));
     std::vector<ReferenceBounds> bounds(before.size());
     crew.forEach(before.size() - 1, [&](std::size_t part) {
         uint32_t at = before[part];

@@ -39,7 +39,7 @@ public:
     bool built() const { return ready_.load(std::memory_order_acquire) != nullptr; }
     /// Empty where there is none, or none yet.
     const KdTree& kdTree() const { return built() ? kdTree_ : kNoTree; }
-    uint64_t events() const { return events_; }
+    uint64_t events() const { return built() ? events_ : 0; }
     TreeSizes sizes() const { return built() ? sizes_ : TreeSizes(); }
     std::size_t bytes() const { return std::size_t(counted_.bytes()); }
 

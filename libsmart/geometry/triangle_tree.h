@@ -14,7 +14,7 @@ namespace smart {
 class BuildCrew;
 
 /// A box tree of wide nodes over triangles, and the triangles once more in the order of its leaves:
-/// what rays walk in a model.
+/// what rays walk in a model, unless it has a kd-tree.
 class TriangleTree {
 public:
     TriangleTree() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tiles of rays through models and the instances nested in them. What is no beam, or gains nothing
-// by being one, goes packet by packet.
+// Tiles of rays through models and the instances nested in them. What is no beam, gains nothing by
+// being one, or comes to a kd-tree goes packet by packet.
 #pragma once
 
 #include "libsmart/kernel/scene_traversal.h"

@@ -46,7 +46,7 @@ struct WideView : BoxView {
 
 struct ModelView;
 
-/// Of a model whose trees are built when the first ray comes.
+/// Of a model whose tree is built when the first ray comes.
 struct DeferredView {
     /// What rays walk in the model; lasts as long as building does. Called by any thread.
     const ModelView* (*reach)(const DeferredView&);
@@ -80,7 +80,7 @@ struct ModelView {
     uint32_t childCount;
     /// Of a scene, not 0: of hits at equal distance the last one counts, not the first.
     uint32_t lastOfEqual;
-    /// nullptr unless rays are to ask for the view to walk. All but trees and records is here.
+    /// nullptr unless rays are to ask for the view to walk. All but the tree and records is here.
     const DeferredView* deferred;
 };
 

@@ -101,7 +101,8 @@ private:
 class OneSidedEngine final : public Engine {
 public:
     explicit OneSidedEngine(const Geometry& geometry)
-        : whole_(geometry, int(Precision::Watertight), BuildQuality::KdTree), broken_(whole_.scene()) {}
+        : whole_(geometry, int(Precision::Watertight), BuildQuality::KdTree),
+          broken_(whole_.scene()) {}
 
     void trace(std::span<const Ray> rays, Claim* claims) const override {
         const std::vector<Hit> hits =
@@ -135,6 +136,8 @@ std::vector<EngineKind> openrtKinds() {
 
 std::vector<Variant> openrtVariants(const Geometry& geometry, int mode) {
     const auto scene = std::make_shared<const OpenrtScene>(geometry, mode);
+    const auto inKdTrees =
+        std::make_shared<const OpenrtScene>(geometry, mode, BuildQuality::KdTree);
     std::vector<Variant> variants;
     for (const KernelTable* table : availableKernels()) {
         const std::pair<Form, const char*> forms[] = {
@@ -143,6 +146,8 @@ std::vector<Variant> openrtVariants(const Geometry& geometry, int mode) {
             variants.push_back({std::string(table->name) + name,
                                 std::make_unique<OpenrtEngine>(scene, *table, mode, form)});
         }
+        variants.push_back({std::string(table->name) + " kd-tree",
+                            std::make_unique<OpenrtEngine>(inKdTrees, *table, mode, Form::Full)});
     }
     return variants;
 }

@@ -108,6 +108,7 @@ std::vector<DynamicEnginePtr> sheetEngines(const DynamicScene& scene,
     add(SheetWay::Redefine, RT_FASTEST, "openrt redefine, fastest");
     add(SheetWay::Redefine, RT_DONT_CARE, "openrt redefine");
     add(SheetWay::Redefine, RT_NICEST, "openrt redefine, nicest");
+    add(SheetWay::Redefine, RT_KD_TREE, "openrt redefine, kd-tree");
 #ifdef OPENRT_BENCH_EMBREE
     for (const EmbreeWay way : {EmbreeWay::Refit, EmbreeWay::Low, EmbreeWay::Medium})
         if (options.embree) engines.push_back(dynamicEmbree(scene, options.threads, way));

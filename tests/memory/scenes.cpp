@@ -226,9 +226,9 @@ void utilities() {
 }
 
 void lazyObjects() {
-    for (const RTenum quality : {RT_NICEST, RT_FASTEST}) {
+    for (const RTenum quality : {RT_NICEST, RT_FASTEST, RT_KD_TREE}) {
         rtObjectHint(RT_BUILD_QUALITY, RTenum(quality));
-        rtObjectHint(RT_LAZY_BUILD, quality == RT_NICEST);
+        rtObjectHint(RT_LAZY_BUILD, quality != RT_FASTEST);
         const RTuint object = rtNewObject(RT_DEFINE);
         field(8);
         rtEndObject();

@@ -33,6 +33,7 @@ public:
     /// With the trees that the models were given with.
     const ModelView& wideView() const { return wide_.view(); }
     const Scene& scene() const { return scene_; }
+    const Scene& wideScene() const { return wide_; }
     const ExactReference& reference() const { return reference_; }
     /// The hit in the reference's numbers; a path that does not exist gives a number out of range.
     Claim claim(const Hit& hit) const;

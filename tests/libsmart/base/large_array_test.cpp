@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/base/large_array.h"
 
+#include <sys/mman.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -27,14 +30,55 @@ bool inHugePages(const void* address) {
     return false;
 }
 
-TEST(LargeArray, IsInHugePages) {
-    if (!std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled"))
-        GTEST_SKIP() << "the system has no huge pages";
-    constexpr std::size_t kCount = std::size_t(4) << 20;
-    const LargeArray<float> large(kCount);
-    const std::vector<float> other(kCount);
-    EXPECT_TRUE(inHugePages(&large[kCount / 2]));
-    EXPECT_FALSE(inHugePages(&other[kCount / 2]));
+constexpr std::size_t kHugePage = std::size_t(2) << 20;
+
+/// So many bytes that nobody has asked for huge pages in.
+class FreshMemory {
+public:
+    explicit FreshMemory(std::size_t bytes)
+        : bytes_(bytes),
+          memory_(static_cast<std::byte*>(mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                                               MAP_PRIVATE | MAP_ANONYMOUS, -1, 0))) {}
+    ~FreshMemory() { munmap(memory_, bytes_); }
+    std::byte* hugePage() const {
+        return memory_ + (kHugePage - uintptr_t(memory_) % kHugePage) % kHugePage;
+    }
+
+private:
+    const std::size_t bytes_;
+    std::byte* const memory_;
+};
+
+class HugePages : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled"))
+            GTEST_SKIP() << "the system has no huge pages";
+    }
+};
+
+TEST_F(HugePages, AreAskedForInAllOfALargeArray) {
+    const LargeArray<float> large(std::size_t(4) << 20);
+    EXPECT_TRUE(inHugePages(&large[large.size() / 2]));
+}
+
+TEST_F(HugePages, AreAskedForInsideOfTheMemoryOnly) {
+    const FreshMemory memory(5 * kHugePage);
+    std::byte* const first = memory.hugePage();
+    EXPECT_FALSE(inHugePages(first));
+    useHugePages(first + 4096, 3 * kHugePage);
+    EXPECT_FALSE(inHugePages(first + 8192));
+    EXPECT_TRUE(inHugePages(first + kHugePage));
+    EXPECT_TRUE(inHugePages(first + 3 * kHugePage - 1));
+    EXPECT_FALSE(inHugePages(first + 3 * kHugePage)) << "not all of that page is ours";
+}
+
+TEST_F(HugePages, AreNotAskedForInWhatIsSmall) {
+    const FreshMemory memory(4 * kHugePage);
+    useHugePages(memory.hugePage() + 4096, kHugePage);
+    for (std::size_t page = 0; page < 2; ++page)
+        EXPECT_FALSE(inHugePages(memory.hugePage() + page * kHugePage));
+    useHugePages(nullptr, 0);
 }
 
 TEST(LargeArray, KeepsItsElementsWhileItGrowsAndShrinks) {
@@ -47,7 +91,7 @@ TEST(LargeArray, KeepsItsElementsWhileItGrowsAndShrinks) {
     for (uint32_t i = 0; i < copy.size(); ++i) ASSERT_EQ(copy[i], i);
 }
 
-TEST(LargeArray, SmallOnesAreLeftAlone) {
+TEST(LargeArray, IsAVectorOfAnySize) {
     for (const std::size_t count : {0, 1, 1000}) {
         const LargeArray<uint32_t> array(count, 7u);
         for (const uint32_t element : array) EXPECT_EQ(element, 7u);

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "libsmart/geometry/model_builder.h"
+#include "libsmart/geometry/model_update.h"
 #include "tests/support/procedural_meshes.h"
 
 namespace smart {
@@ -100,7 +101,7 @@ TEST(ModelTest, RecordsAreMadeOnceHereAndInNestedModels) {
     EXPECT_EQ(leaf->view().records, records);
 }
 
-TEST(ModelTest, QualityChoosesTheTrees) {
+TEST(ModelTest, QualityChoosesTheTree) {
     const std::vector<Triangle> triangles = test::bumpySphere(2000);
     const auto build = [&](BuildQuality quality, bool lazy) {
         ModelBuilder builder;
@@ -125,9 +126,15 @@ TEST(ModelTest, QualityChoosesTheTrees) {
     }
 }
 
-TEST(ModelTest, OnlyTheNicestTreeCutsTriangles) {
+/// A few of them so large that cutting them pays.
+std::vector<Triangle> largeAndSmall() {
     std::vector<Triangle> triangles = test::triangleSoup(6000, 0.02f, 1);
     for (const Triangle& large : test::triangleSoup(300, 1.0f, 2)) triangles.push_back(large);
+    return triangles;
+}
+
+TEST(ModelTest, OnlyTheNicestTreeCutsTriangles) {
+    const std::vector<Triangle> triangles = largeAndSmall();
     const auto references = [&](BuildQuality quality) {
         ModelBuilder builder;
         builder.triangles = triangles;
@@ -136,6 +143,34 @@ TEST(ModelTest, OnlyTheNicestTreeCutsTriangles) {
     EXPECT_GT(references(BuildQuality::Nicest), triangles.size());
     EXPECT_EQ(references(BuildQuality::DontCare), triangles.size());
     EXPECT_EQ(references(BuildQuality::Fastest), triangles.size());
+}
+
+TEST(ModelTest, AnUpdateHasTheTreeThatIsAskedForThen) {
+    constexpr BuildQuality kQualities[] = {BuildQuality::Nicest, BuildQuality::DontCare,
+                                           BuildQuality::Fastest, BuildQuality::KdTree};
+    const std::vector<Triangle> triangles = largeAndSmall();
+    std::vector<float> elsewhere; // in the order from last to first: a refitted tree would be bad
+    for (std::size_t i = triangles.size(); i-- > 0;)
+        for (const float* v : {triangles[i].v0, triangles[i].v1, triangles[i].v2})
+            elsewhere.insert(elsewhere.end(), v, v + 3);
+    for (const BuildQuality from : kQualities)
+        for (const BuildQuality to : kQualities) {
+            ModelBuilder builder;
+            builder.triangles = triangles;
+            for (uint32_t i = 0; i < triangles.size(); ++i) {
+                builder.shading.corners.makeRoom(1);
+                builder.shading.corners.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+            }
+            const ModelPtr old = std::move(builder).build({.quality = from});
+            const ModelPtr moved = updateModel(*old, 0, 3 * uint32_t(triangles.size()),
+                                               elsewhere.data(), {.quality = to});
+            EXPECT_EQ(moved->view().tree.nodes != nullptr, to == BuildQuality::KdTree);
+            EXPECT_EQ(moved->view().wide.nodes != nullptr, to != BuildQuality::KdTree);
+            EXPECT_EQ(moved->triangles[0].v1[2], triangles.back().v1[2]);
+            if (to != BuildQuality::KdTree) {
+                EXPECT_EQ(moved->treeSizes().references, triangles.size()) << "cut though moved";
+            }
+        }
 }
 
 TEST(ModelTest, ALazyModelIsBuiltOnceByTheThreadThatComesFirst) {

@@ -149,21 +149,24 @@ TEST(AllHits, LastOfEqualDistances) {
     const ModelPtr model = makeModel(stack);
     for (const Precision precision : {Precision::Fast, Precision::Watertight, Precision::Precise})
         for (const bool last : {false, true}) {
-            const Scene scene({place(model), place(model), place(makeModel(stack, {place(model)}))},
-                              precision, 1, last);
+            const std::vector<Instance> given = {place(model), place(model),
+                                                 place(makeModel(stack, {place(model)}))};
+            const Scene wide(given, precision, 1, last);
+            const Scene kd(withKdTrees(given), precision, 1, last);
             const Ray ray{{0, 0, 0}, {0.0625f, 0, -1}, 0, 100};
-            for (const KernelTable* kernels : availableKernels()) {
-                Hit hit;
-                kernels->intersect1[std::size_t(precision)](scene.view(), ray, hit);
-                EXPECT_EQ(nameOf(hit), last ? (Name{2, 0, 4}) : (Name{0, 0})) << kernels->name;
-                for (const Hits& found : allHits(*kernels, precision, scene.view(),
-                                                 std::vector<Ray>(16, ray)))
-                    EXPECT_EQ(found.size(), 20u);
-                const std::vector<Hit> packet =
-                    tracePackets(*kernels, precision, scene.view(), std::vector<Ray>(16, ray),
-                                 Filling::Full);
-                EXPECT_EQ(nameOf(packet[7]), nameOf(hit));
-            }
+            const std::vector<Ray> rays(16, ray);
+            for (const KernelTable* kernels : availableKernels())
+                for (const Scene* const scene : {&wide, &kd}) {
+                    const ModelView& view = scene->view();
+                    Hit hit;
+                    kernels->intersect1[std::size_t(precision)](view, ray, hit);
+                    EXPECT_EQ(nameOf(hit), last ? (Name{2, 0, 4}) : (Name{0, 0})) << kernels->name;
+                    for (const Hits& found : allHits(*kernels, precision, view, rays))
+                        EXPECT_EQ(found.size(), 20u);
+                    const std::vector<Hit> packet =
+                        tracePackets(*kernels, precision, view, rays, Filling::Full);
+                    EXPECT_EQ(nameOf(packet[7]), nameOf(hit));
+                }
         }
 }
 

@@ -53,17 +53,15 @@ std::vector<Ray> raysOffSurface(const std::vector<Triangle>& mesh, double side, 
 
 void expectNoAcneAndNoLeak(const std::vector<Triangle>& mesh, const char* name) {
     SCOPED_TRACE(name);
-    const Scene scene({place(makeModel(mesh))}, Precision::Watertight, 1);
+    const TracedScene scene(mesh);
     const std::size_t count = rayCount(2000);
     const auto outward = raysOffSurface(mesh, 1, count), inward = raysOffSurface(mesh, -1, count);
     for (const Precision precision : {Precision::Watertight, Precision::Precise}) {
         std::size_t shadowed = 0, escaped = 0;
-        for (const Hit& hit : traceAllWays(scene.view(), outward, precision)) {
+        for (const Hit& hit : traceAllWays(scene, outward, precision))
             shadowed += hit.triangle != kNoHit;
-        }
-        for (const Hit& hit : traceAllWays(scene.view(), inward, precision)) {
+        for (const Hit& hit : traceAllWays(scene, inward, precision))
             escaped += hit.triangle == kNoHit;
-        }
         EXPECT_EQ(shadowed, 0u) << "of " << count << " in mode " << int(precision);
         EXPECT_EQ(escaped, 0u) << "of " << count << " in mode " << int(precision);
     }

@@ -430,11 +430,26 @@ TEST(TileTraversal, PreciseModeAndKdTreesTakePackets) {
     const auto rays = cameraRays(kPoses[0], 16, 16);
     const TwoTrees precise(bumpySphere(500), Precision::Precise);
     EXPECT_GT(expectSame(precise, rays, "precise"), 0u);
-    const TwoTrees scene(bumpySphere(500));
-    const Disagreement found = compare(kernels(), Precision::Watertight, scene.kd(), scene.kd(),
-                                       rays, Filling::Full);
-    EXPECT_EQ(found.closest + found.any, 0u);
-    EXPECT_GT(found.hits, 0u);
+    for (const Precision precision : {Precision::Watertight, Precision::Fast}) {
+        const TwoTrees scene(bumpySphere(500), precision);
+        const Disagreement found =
+            compare(kernels(), precision, scene.kd(), scene.kd(), rays, Filling::Full);
+        EXPECT_EQ(found.closest + found.any, 0u);
+        EXPECT_GT(found.hits, 0u);
+    }
+}
+
+TEST(TileTraversal, ModelsOfBothKindsSideBySide) {
+    const auto nearer = glm::translate(glm::dmat4(1.0), glm::dvec3(0.4, 0.3, 0.7));
+    for (const Precision precision : {Precision::Watertight, Precision::Fast}) {
+        std::vector<Instance> instances = {
+            place(makeModel(bumpySphere(500), {}, BuildQuality::KdTree)),
+            place(makeModel(icosphere(3)), glm::dmat4x3(nearer))};
+        const ModelPtr group =
+            makeModel(triangleSoup(40, 0.5f, 11), instances, BuildQuality::KdTree);
+        expectSameFromEverywhere(TwoTrees(instances, precision), "side by side");
+        expectSameFromEverywhere(TwoTrees({place(group)}, precision), "in a kd-tree's model");
+    }
 }
 
 } // namespace

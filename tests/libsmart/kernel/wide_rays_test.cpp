@@ -43,6 +43,7 @@ std::size_t expectSame(std::vector<Instance> instances, std::span<const Ray> ray
         std::vector<Hit> truth = traceSingles(kernels(), precision, scene.view(), rays);
         traceAllWays(scene.wideView(), rays, precision, truth);
         expectStreams(scene.wideView(), rays, precision, truth);
+        expectStreams(scene.view(), rays, precision, truth);
         hits = 0;
         for (const Hit& hit : truth) hits += hit.triangle != kNoHit;
     }
@@ -296,7 +297,8 @@ TEST(WideRays, WhatEachTriangleAloneSays) {
     std::vector<Hit> nearest(rays.size());
     for (Hit& hit : nearest) hit.triangle = kNoHit;
     for (uint32_t i = 0; i < mesh.size(); ++i) {
-        const Scene alone({place(makeModel({mesh[i]}))}, Precision::Precise, 1);
+        const Scene alone({place(makeModel({mesh[i]}, {}, BuildQuality::KdTree))},
+                          Precision::Precise, 1);
         const auto hits = traceSingles(kernels(), Precision::Precise, alone.view(), rays);
         for (std::size_t r = 0; r < rays.size(); ++r) {
             if (hits[r].triangle == kNoHit) continue;

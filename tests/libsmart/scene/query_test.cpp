@@ -94,13 +94,24 @@ ModelPtr square() {
     return test::makeModel({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 0, 0}, {2, 2, 0}, {0, 2, 0}}});
 }
 
-class QueryTest : public testing::TestWithParam<Coherence> {};
-INSTANTIATE_TEST_SUITE_P(Each, QueryTest,
-                         testing::Values(Coherence::Coherent, Coherence::Incoherent),
-                         [](const auto& coherence) {
-                             return coherence.param == Coherence::Coherent ? "Coherent"
-                                                                           : "Incoherent";
-                         });
+enum class Tree { Wide, Kd };
+
+class QueryTest : public testing::TestWithParam<std::tuple<Coherence, Tree>> {
+protected:
+    static Coherence coherence() { return std::get<Coherence>(GetParam()); }
+    static const Scene& sceneOf(const test::TracedScene& traced) {
+        return std::get<Tree>(GetParam()) == Tree::Kd ? traced.scene() : traced.wideScene();
+    }
+};
+INSTANTIATE_TEST_SUITE_P(
+    Each, QueryTest,
+    testing::Combine(testing::Values(Coherence::Coherent, Coherence::Incoherent),
+                     testing::Values(Tree::Wide, Tree::Kd)),
+    [](const auto& parameters) {
+        const auto [coherence, tree] = parameters.param;
+        return std::string(coherence == Coherence::Coherent ? "Coherent" : "Incoherent") +
+               (tree == Tree::Kd ? "InKdTrees" : "");
+    });
 
 TEST_P(QueryTest, AnswersAsWorkedOutByHand) {
     // Squares at z = 5 (object 70), z = 3 (object 71, twice as large), z = 9 in another group.
@@ -116,7 +127,7 @@ TEST_P(QueryTest, AnswersAsWorkedOutByHand) {
         {{100.5f, 1.5f, 0}, {0, 0, 1}, 0, kInf},  // nested, second child, second triangle
         {{1.5f, 0.5f, 0}, {0, 0, 1}, 0, 2.5f},    // stops short
     };
-    const std::vector<Answer> answers = ask(scene, rays, GetParam());
+    const std::vector<Answer> answers = ask(scene, rays, coherence());
     const Answer expected[] = {
         {1.5f, 0.25f, 0.125f, 0, 71, 1, {0, 0, 16}, 1},   {2, 0.5f, 0.25f, 0, 8, 2, {0, 0, 4}, 0},
         {2, 0.5f, 0.25f, 0, 70, 0, {0, 0, 4}, 1},        {9, 0.25f, 0.5f, 1, 9, 2, {0, 0, 4}, 1},
@@ -132,7 +143,7 @@ TEST_P(QueryTest, AnswersAsWorkedOutByHand) {
         for (int k = 0; k < 3; ++k) EXPECT_EQ(answers[i].normal[k], expected[i].normal[k]) << i;
         EXPECT_EQ(answers[i].flags, expected[i].flags) << i;
     }
-    EXPECT_EQ(askBlocked(scene, rays, GetParam()), (std::vector<uint8_t>{1, 1, 1, 1, 0}));
+    EXPECT_EQ(askBlocked(scene, rays, coherence()), (std::vector<uint8_t>{1, 1, 1, 1, 0}));
 }
 
 TEST_P(QueryTest, MirroredInstancesTurnTheirNormals) {
@@ -141,7 +152,7 @@ TEST_P(QueryTest, MirroredInstancesTurnTheirNormals) {
     const Scene scene({place(square(), 1, mirror)}, Precision::Watertight, 1);
     const std::vector<Answer> answers =
         ask(scene, {{{1, 0.5f, -1}, {0, 0, 1}, 0, kInf}, {{1, 0.5f, 1}, {0, 0, -1}, 0, kInf}},
-            GetParam());
+            coherence());
     // The edges lie in the mirror's plane: their product stays, as the definition says.
     for (const Answer& answer : answers) EXPECT_EQ(answer.normal[2], 4);
     EXPECT_EQ(answers[0].flags, 1u);
@@ -166,7 +177,7 @@ TEST_P(QueryTest, RaysThatAreNoneMiss) {
     rays.push_back({{1, 0.5f, 0}, {0, 0, 1}, 0, kNan});
     rays.push_back({{1, 0.5f, 0}, {0, 0, 1}, 7, 3});
     rays.push_back({{1, 0.5f, 0}, {0, 0, 1}, 0, -1});
-    const std::vector<Answer> answers = ask(scene, rays, GetParam());
+    const std::vector<Answer> answers = ask(scene, rays, coherence());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         EXPECT_EQ(answers[i].primitive, kNoId) << i;
         EXPECT_EQ(answers[i].object, kNoId) << i;
@@ -176,7 +187,7 @@ TEST_P(QueryTest, RaysThatAreNoneMiss) {
         EXPECT_EQ(answers[i].v, 0) << i;
         EXPECT_EQ(answers[i].flags, 0u) << i;
     }
-    EXPECT_EQ(askBlocked(scene, rays, GetParam()), std::vector<uint8_t>(rays.size(), 0));
+    EXPECT_EQ(askBlocked(scene, rays, coherence()), std::vector<uint8_t>(rays.size(), 0));
 }
 
 TEST_P(QueryTest, LimitsAreClosedAndMayBeInfiniteOrNegative) {
@@ -188,8 +199,8 @@ TEST_P(QueryTest, LimitsAreClosedAndMayBeInfiniteOrNegative) {
         {{1, 0.5f, 0}, {0, 0, 1}, above, kInf}, {{1, 0.5f, 0}, {0, 0, 1}, 0, below},
         {{1, 0.5f, 6}, {0, 0, 1}, -kInf, kInf},
     };
-    EXPECT_EQ(askBlocked(scene, rays, GetParam()), (std::vector<uint8_t>{1, 1, 1, 1, 0, 0, 0}));
-    const std::vector<Answer> answers = ask(scene, rays, GetParam());
+    EXPECT_EQ(askBlocked(scene, rays, coherence()), (std::vector<uint8_t>{1, 1, 1, 1, 0, 0, 0}));
+    const std::vector<Answer> answers = ask(scene, rays, coherence());
     for (int i = 0; i < 4; ++i) EXPECT_EQ(answers[i].t, 5) << i;
     for (int i = 4; i < 7; ++i) EXPECT_EQ(answers[i].primitive, kNoId) << i;
 }
@@ -202,7 +213,7 @@ TEST_P(QueryTest, EqualDistancesGoToTheLowestNumber) {
                        place(square(), 7, moved(0, 0, 5))},
                       Precision::Watertight, 1);
     const std::vector<Answer> answers =
-        ask(scene, {{{1.5f, 0.5f, 0}, {0, 0, 1}, 0, kInf}}, GetParam());
+        ask(scene, {{{1.5f, 0.5f, 0}, {0, 0, 1}, 0, kInf}}, coherence());
     EXPECT_EQ(answers[0].instance, 1u);
     EXPECT_EQ(answers[0].object, 6u);
     EXPECT_EQ(answers[0].primitive, 1u);
@@ -211,7 +222,7 @@ TEST_P(QueryTest, EqualDistancesGoToTheLowestNumber) {
 TEST_P(QueryTest, OnlyWhatIsWantedIsWritten) {
     const test::TracedScene traced(test::icosphere(2));
     const std::vector<Ray> rays = test::randomRays(test::icosphere(2), 200, 4);
-    const std::vector<Answer> all = ask(traced.scene(), rays, GetParam());
+    const std::vector<Answer> all = ask(sceneOf(traced), rays, coherence());
     for (int wanted = 0; wanted < 10; ++wanted) {
         std::vector<uint32_t> column(rays.size(), kUntouched);
         HitStream stream{};
@@ -224,7 +235,7 @@ TEST_P(QueryTest, OnlyWhatIsWantedIsWritten) {
             *floats[wanted] = asFloat;
         else
             *words[wanted - 6] = column.data();
-        intersect(traced.scene(), streamOf(rays), stream, rays.size(), GetParam());
+        intersect(sceneOf(traced), streamOf(rays), stream, rays.size(), coherence());
         const std::size_t place[] = {0, 1, 2, 6, 7, 8, 3, 4, 5, 9}; // word in Answer
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const char* expected = reinterpret_cast<const char*>(&all[i]) + 4 * place[wanted];
@@ -244,13 +255,13 @@ TEST_P(QueryTest, AnyCountAndSharedOriginsGiveTheSameAnswers) {
                0,
                kInf};
     }
-    const std::vector<Answer> all = ask(traced.scene(), rays, GetParam());
+    const std::vector<Answer> all = ask(sceneOf(traced), rays, coherence());
     for (std::size_t count = 0; count <= rays.size(); ++count) {
         std::vector<Answer> some(rays.size() + 1);
         RayStream stream = streamOf(rays);
         stream.commonOrigin = count % 2;
         if (count % 3 == 0) stream.tNear = stream.tFar = nullptr;
-        intersect(traced.scene(), stream, streamOf(some), count, GetParam());
+        intersect(sceneOf(traced), stream, streamOf(some), count, coherence());
         EXPECT_EQ(std::memcmp(some.data(), all.data(), count * sizeof(Answer)), 0) << count;
         for (std::size_t i = count; i < some.size(); ++i) EXPECT_EQ(some[i].t, 0);
     }
@@ -267,8 +278,8 @@ TEST_P(QueryTest, AgreesWithExactArithmetic) {
                                     test::place(test::makeModel(test::triangleSoup(60, 0.4f, 2)))});
     const std::vector<Ray> rays = test::randomRays(sphere, 500, 8);
     const std::vector<test::ExactAnswer> truth = traced.truth(rays);
-    const std::vector<Answer> answers = ask(traced.scene(), rays, GetParam());
-    const std::vector<uint8_t> blocked = askBlocked(traced.scene(), rays, GetParam());
+    const std::vector<Answer> answers = ask(sceneOf(traced), rays, coherence());
+    const std::vector<uint8_t> blocked = askBlocked(sceneOf(traced), rays, coherence());
     const auto judged = [&](uint32_t shift) {
         std::vector<Hit> hits(rays.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -312,11 +323,11 @@ TEST_P(QueryTest, EmptyScenesAnswerToo) {
         const Scene flat({place(square(), 1, glm::dmat4x3(0.0))}, precision, 1);
         const std::vector<Ray> rays(20, Ray{{1, 1, -1}, {0, 0, 1}, 0, 7});
         for (const Scene* scene : {&nothing, &flat}) {
-            for (const Answer& answer : ask(*scene, rays, GetParam())) {
+            for (const Answer& answer : ask(*scene, rays, coherence())) {
                 EXPECT_EQ(answer.instance, kNoId);
                 EXPECT_EQ(answer.t, 7);
             }
-            EXPECT_EQ(askBlocked(*scene, rays, GetParam()), std::vector<uint8_t>(20, 0));
+            EXPECT_EQ(askBlocked(*scene, rays, coherence()), std::vector<uint8_t>(20, 0));
         }
     }
 }
@@ -326,7 +337,7 @@ TEST_P(QueryTest, FastModeAnswersInTheMiddleOfTriangles) {
                       Precision::Fast, 1);
     const std::vector<Answer> answers =
         ask(scene, {{{1.5f, 0.5f, 0}, {0, 0, 1}, 0, kInf}, {{2.5f, 0.25f, 0}, {0, 0, 2}, 0, kInf}},
-            GetParam());
+            coherence());
     EXPECT_EQ(answers[0].object, 4u);
     EXPECT_FLOAT_EQ(answers[0].t, 5);
     EXPECT_EQ(answers[1].object, 5u);
@@ -337,13 +348,13 @@ TEST_P(QueryTest, FastModeAnswersInTheMiddleOfTriangles) {
 TEST_P(QueryTest, FloatingPointStateNeitherMattersNorChanges) {
     const test::TracedScene traced(test::bumpySphere(300));
     const std::vector<Ray> rays = test::randomRays(test::bumpySphere(300), 100, 6);
-    const std::vector<Answer> expected = ask(traced.scene(), rays, GetParam());
+    const std::vector<Answer> expected = ask(sceneOf(traced), rays, coherence());
     std::fenv_t found;
     std::fegetenv(&found);
     for (const int mode : {FE_UPWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
         std::feclearexcept(FE_ALL_EXCEPT);
-        const std::vector<Answer> answers = ask(traced.scene(), rays, GetParam());
+        const std::vector<Answer> answers = ask(sceneOf(traced), rays, coherence());
         const int raised = std::fetestexcept(FE_ALL_EXCEPT), after = std::fegetround();
         std::fesetenv(&found);
         EXPECT_TRUE(same(answers, expected));
@@ -352,15 +363,19 @@ TEST_P(QueryTest, FloatingPointStateNeitherMattersNorChanges) {
     }
 }
 
-TEST(QueryCoherenceTest, BothGiveTheSameBits) {
+TEST(QueryCoherenceTest, AllWaysGiveTheSameBits) {
     const std::vector<Triangle> soup = test::triangleSoup(800, 0.3f, 3);
     for (const Precision precision : {Precision::Fast, Precision::Watertight}) {
         const test::TracedScene traced(soup, precision);
         const std::vector<Ray> rays = test::randomRays(soup, 1000, 12);
-        EXPECT_TRUE(same(ask(traced.scene(), rays, Coherence::Coherent),
-                         ask(traced.scene(), rays, Coherence::Incoherent)));
-        EXPECT_EQ(askBlocked(traced.scene(), rays, Coherence::Coherent),
-                  askBlocked(traced.scene(), rays, Coherence::Incoherent));
+        const std::vector<Answer> answers = ask(traced.scene(), rays, Coherence::Incoherent);
+        const std::vector<uint8_t> blocked =
+            askBlocked(traced.scene(), rays, Coherence::Incoherent);
+        for (const Scene* scene : {&traced.scene(), &traced.wideScene()})
+            for (const Coherence coherence : {Coherence::Coherent, Coherence::Incoherent}) {
+                EXPECT_TRUE(same(ask(*scene, rays, coherence), answers));
+                EXPECT_EQ(askBlocked(*scene, rays, coherence), blocked);
+            }
     }
 }
 
