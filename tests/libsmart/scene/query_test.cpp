@@ -103,15 +103,16 @@ protected:
         return std::get<Tree>(GetParam()) == Tree::Kd ? traced.scene() : traced.wideScene();
     }
 };
-INSTANTIATE_TEST_SUITE_P(
-    Each, QueryTest,
-    testing::Combine(testing::Values(Coherence::Coherent, Coherence::Incoherent),
-                     testing::Values(Tree::Wide, Tree::Kd)),
-    [](const auto& parameters) {
-        const auto [coherence, tree] = parameters.param;
-        return std::string(coherence == Coherence::Coherent ? "Coherent" : "Incoherent") +
-               (tree == Tree::Kd ? "InKdTrees" : "");
-    });
+std::string nameOf(const testing::TestParamInfo<QueryTest::ParamType>& info) {
+    const bool coherent = std::get<Coherence>(info.param) == Coherence::Coherent;
+    const bool kd = std::get<Tree>(info.param) == Tree::Kd;
+    return std::string(coherent ? "Coherent" : "Incoherent") + (kd ? "InKdTrees" : "");
+}
+INSTANTIATE_TEST_SUITE_P(Each, QueryTest,
+                         testing::Combine(testing::Values(Coherence::Coherent,
+                                                          Coherence::Incoherent),
+                                          testing::Values(Tree::Wide, Tree::Kd)),
+                         nameOf);
 
 TEST_P(QueryTest, AnswersAsWorkedOutByHand) {
     // Squares at z = 5 (object 70), z = 3 (object 71, twice as large), z = 9 in another group.
