@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
+#include <tuple>
 
 #include "tests/support/procedural_meshes.h"
 #include "tests/support/ray_sets.h"
