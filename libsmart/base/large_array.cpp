@@ -14,7 +14,11 @@ void useHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t by
     constexpr uintptr_t kHugePage = uintptr_t(2) << 20; // what x86-64, and AArch64 as a rule, have
     const uintptr_t begin = (uintptr_t(memory) + kHugePage - 1) & ~(kHugePage - 1);
     const uintptr_t end = (uintptr_t(memory) + bytes) & ~(kHugePage - 1);
-    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    if (begin >= end) return;
+    void* const inside = reinterpret_cast<void*>(begin);
+    // What the heap had before comes in small pages, which would stay.
+    madvise(inside, end - begin, MADV_DONTNEED);
+    madvise(inside, end - begin, MADV_HUGEPAGE);
 #endif
 }
 

@@ -7,9 +7,9 @@
 
 namespace smart {
 
-/// Asks for huge pages in that memory, which nobody has written to yet: where rays read all over
-/// some hundred megabytes, the processor looks up pages less often. Does nothing for what is small,
-/// nor where the system has none.
+/// Asks for huge pages in that memory, which loses what was in it: where rays read all over some
+/// hundred megabytes, the processor looks up pages less often. Does nothing for what is small, nor
+/// where the system has none.
 void useHugePages(void* memory, std::size_t bytes) noexcept;
 
 /// Memory in huge pages. New elements without a value stay as they are.

@@ -14,8 +14,8 @@
 namespace smart {
 namespace {
 
-/// Whether the system was asked for huge pages where that address is: VmFlags of proc_pid_smaps(5).
-bool inHugePages(const void* address) {
+/// What proc_pid_smaps(5) says of the mapping that has that address, under that name.
+std::string factOf(const void* address, const std::string& name) {
     std::ifstream maps("/proc/self/smaps");
     bool here = false;
     for (std::string line; std::getline(maps, line);) {
@@ -24,10 +24,20 @@ bool inHugePages(const void* address) {
         std::istringstream range(line);
         if (range >> std::hex >> begin >> dash >> end && dash == '-')
             here = begin <= uintptr_t(address) && uintptr_t(address) < end;
-        else if (here && line.starts_with("VmFlags:"))
-            return line.find(" hg") != std::string::npos;
+        else if (here && line.starts_with(name))
+            return line.substr(name.size());
     }
-    return false;
+    return "";
+}
+
+/// Whether the system was asked for huge pages where that address is.
+bool inHugePages(const void* address) {
+    return factOf(address, "VmFlags:").find(" hg") != std::string::npos;
+}
+
+/// Bytes of huge pages in the mapping that has that address.
+std::size_t hugeBytes(const void* address) {
+    return std::stoul(factOf(address, "AnonHugePages:")) * 1024;
 }
 
 constexpr std::size_t kHugePage = std::size_t(2) << 20;
@@ -71,6 +81,19 @@ TEST_F(HugePages, AreAskedForInsideOfTheMemoryOnly) {
     EXPECT_TRUE(inHugePages(first + kHugePage));
     EXPECT_TRUE(inHugePages(first + 3 * kHugePage - 1));
     EXPECT_FALSE(inHugePages(first + 3 * kHugePage)) << "not all of that page is ours";
+}
+
+TEST_F(HugePages, ComeWhereThereWereSmallOnes) {
+    const FreshMemory memory(9 * kHugePage);
+    std::byte* const first = memory.hugePage();
+    for (std::size_t page = 0; page < 8 * kHugePage; page += 4096) first[page] = std::byte(1);
+    useHugePages(first, 8 * kHugePage);
+    for (std::size_t page = 0; page < 8 * kHugePage; page += 4096) first[page] = std::byte(1);
+    const FreshMemory other(2 * kHugePage);
+    useHugePages(other.hugePage(), kHugePage);
+    *other.hugePage() = std::byte(1);
+    if (hugeBytes(other.hugePage()) == 0) GTEST_SKIP() << "the system gives none";
+    EXPECT_GE(hugeBytes(first), 4 * kHugePage);
 }
 
 TEST_F(HugePages, AreNotAskedForInWhatIsSmall) {
