@@ -72,9 +72,9 @@ private:
 constexpr uint32_t kTypicalNode = 50;
 
 /// Memory that is not needed goes back where it is more than a little.
-template <class Array>
-void shrink(Array& array) {
-    if (array.capacity() - array.size() > array.size() / 32) array.shrink_to_fit();
+template <class T>
+void shrink(std::vector<T>& vector) {
+    if (vector.capacity() - vector.size() > vector.size() / 32) vector.shrink_to_fit();
 }
 
 } // namespace

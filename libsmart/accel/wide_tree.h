@@ -8,7 +8,6 @@
 
 #include "libsmart/accel/wide_node.h"
 #include "libsmart/base/aabb.h"
-#include "libsmart/base/large_array.h"
 
 namespace smart {
 
@@ -19,7 +18,7 @@ struct WideTree {
     Aabb bounds;
     uint32_t primitives = 0; ///< different ones
     float cost = 0;          ///< expected cost of a ray that meets `bounds`, in the unit of WideCosts
-    LargeArray<WideNode> nodes;
+    std::vector<WideNode> nodes;
     std::vector<uint32_t> prims; ///< primitive numbers, leaf by leaf
 
     std::size_t bytes() const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "libsmart/geometry/triangle_tree.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cstring>
 
@@ -14,10 +13,13 @@ namespace {
 
 constexpr std::size_t kNodesOfPart = 64;
 
+std::size_t wordsFor(std::size_t entries) { return entries * kWordsOfTriangle + kPacketSize; }
+
 /// Uninitialised but for the words behind the last leaf.
-LargeArray<float> makeBlocks(std::size_t entries) {
-    LargeArray<float> blocks(entries * kWordsOfTriangle + kPacketSize);
-    std::fill(blocks.end() - kPacketSize, blocks.end(), 0.0f);
+std::unique_ptr<float[]> makeBlocks(std::size_t entries) {
+    const std::size_t words = wordsFor(entries);
+    auto blocks = std::make_unique_for_overwrite<float[]>(words);
+    std::memset(blocks.get() + words - kPacketSize, 0, kPacketSize * sizeof(float));
     return blocks;
 }
 
@@ -37,7 +39,9 @@ void layOutLeaf(float* block, const uint32_t* numbers, uint32_t count,
     std::memcpy(block + 9 * std::size_t(count), numbers, count * sizeof(uint32_t));
 }
 
-std::size_t blockOf(uint32_t first) { return std::size_t(first) * kWordsOfTriangle; }
+float* blockOf(float* blocks, uint32_t first) {
+    return blocks + std::size_t(first) * kWordsOfTriangle;
+}
 
 } // namespace
 
@@ -60,7 +64,8 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles, std::span<const 
                 const uint32_t child = tree.nodes[i].child[slot];
                 if (!(child & kWideLeaf)) continue;
                 const auto [first, count] = leafEntries(child);
-                layOutLeaf(&blocks_[blockOf(first)], tree.prims.data() + first, count, triangles);
+                layOutLeaf(blockOf(blocks_.get(), first), tree.prims.data() + first, count,
+                           triangles);
             }
         }
     });
@@ -87,7 +92,7 @@ std::optional<TriangleTree> TriangleTree::refitted(std::span<const Triangle> mov
     tree.bounds_ = refitNodes(std::span(tree.nodes_), [&](uint32_t child) {
         const auto [first, count] = leafEntries(child);
         uint32_t numbers[kWideLeafSize];
-        std::memcpy(numbers, &blocks_[blockOf(first) + 9 * std::size_t(count)],
+        std::memcpy(numbers, blockOf(blocks_.get(), first) + 9 * std::size_t(count),
                     count * sizeof(uint32_t));
         Box4 box;
         for (uint32_t i = 0; i < count; ++i) {
@@ -97,7 +102,7 @@ std::optional<TriangleTree> TriangleTree::refitted(std::span<const Triangle> mov
             }
             box.add(Box4(boxes[numbers[i]]));
         }
-        layOutLeaf(&tree.blocks_[blockOf(first)], numbers, count, moved);
+        layOutLeaf(blockOf(tree.blocks_.get(), first), numbers, count, moved);
         return box;
     }, crew);
     if (!same) return std::nullopt;
@@ -106,7 +111,8 @@ std::optional<TriangleTree> TriangleTree::refitted(std::span<const Triangle> mov
 }
 
 std::size_t TriangleTree::bytes() const {
-    return nodes_.capacity() * sizeof(WideNode) + blocks_.capacity() * sizeof(float);
+    return nodes_.capacity() * sizeof(WideNode) +
+           (blocks_ ? wordsFor(entries_) * sizeof(float) : 0);
 }
 
 } // namespace smart

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "libsmart/accel/wide_tree.h"
-#include "libsmart/base/large_array.h"
 #include "libsmart/kernel/view.h"
 
 namespace smart {
@@ -39,13 +40,13 @@ public:
     const Aabb& bounds() const { return bounds_; }
     float cost() const { return cost_; } ///< expected, of a ray that meets the bounds: see WideCosts
     std::span<const WideNode> nodes() const { return nodes_; }
-    const float* blocks() const { return blocks_.data(); } ///< see WideView
+    const float* blocks() const { return blocks_.get(); } ///< see WideView
     std::size_t entries() const { return entries_; } ///< triangles in leaves, cut ones repeatedly
     std::size_t bytes() const;
 
 private:
-    LargeArray<WideNode> nodes_;
-    LargeArray<float> blocks_;
+    std::vector<WideNode> nodes_;
+    std::unique_ptr<float[]> blocks_;
     std::size_t entries_ = 0;
     uint32_t primitives_ = 0; ///< different triangles
     Aabb bounds_;
