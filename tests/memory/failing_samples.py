@@ -116,7 +116,7 @@ def main():
     parser.add_argument("samples", nargs="*")
     parser.add_argument("--whole", action="store_true")
     parser.add_argument("--json", type=pathlib.Path)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     binaries = arguments.build.resolve() / "bin"
     programs = sorted([*(binaries / "ports").glob("*"), *(binaries / "changing").glob("*"),
                        *binaries.glob("0[0-9]_*")])
